@@ -1,0 +1,12 @@
+# Every library comes from Debian 12; cmake/packages.txt is the one list of packages.
+find_package(Eigen3 3.4 REQUIRED)
+find_package(CGAL 5.5 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(fmt 9 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(CLI11 REQUIRED)
+find_library(C1MESH_CHOLMOD cholmod REQUIRED)
+find_path(C1MESH_CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+find_library(C1MESH_PUGIXML pugixml REQUIRED)
+find_library(C1MESH_GMP gmp REQUIRED)
+find_library(C1MESH_GMPXX gmpxx REQUIRED)

@@ -1,0 +1,24 @@
+option(C1MESH_TESTS "Build the tests" ON)
+option(C1MESH_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
+set(C1MESH_SANITIZE "" CACHE STRING "Sanitizers to compile with, for example address,undefined")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
+
+# Fused multiply-add would make signs and bytes depend on the machine.
+add_compile_options(-ffp-contract=off)
+if(C1MESH_SANITIZE)
+  add_compile_options(-fsanitize=${C1MESH_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${C1MESH_SANITIZE})
+endif()

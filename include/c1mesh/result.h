@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The result of a run: the map Phi as data (docs/format.md), and reading and writing it.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "c1mesh/types.h"
+
+namespace c1mesh {
+
+/// Domain edge from a to b (interior on its left for boundaries), mapped to `curve` over t0 -> t1.
+struct CurveEdge {
+  int a = -1, b = -1, curve = -1;
+  double t0 = 0, t1 = 1;
+};
+
+struct BoundaryVertex {
+  int vertex = -1;
+  bool corner = false;  ///< false: the shape's boundary is tangent-continuous there
+};
+
+/// Median, 99th percentile and maximum of a sample.
+struct Spread {
+  double median = 0, p99 = 0, max = 0;
+};
+
+/// What the program measured; lengths relative to the larger side of the bounding box.
+struct Metrics {
+  int triangles = 0;
+  Spread d_ei;                        ///< over the edges where C1 is asked
+  Spread gradient_angle_deg, gradient_magnitude;
+  double mips_bound_max = 0;          ///< max over triangles of g(t) = max n_i / min d_i (eq. 4.5)
+  double min_det_coefficient = 0;     ///< least Bernstein coefficient of det J
+  double conformance_max = 0;
+  int exceptional = 0;
+  int exceptional_minimum = 0;        ///< by convex and reflex corners (docs/vocabulary.md)
+  int exceptional_minimum_paper = 0;  ///< max(0, 3 - corners) per loop, the paper's count
+  int surplus = 0;                    ///< exceptional - exceptional_minimum
+  double flatness_ratio = 1;          ///< smooth boundary vertices that are flat, of all smooth ones
+  bool domain_overlaps = false;
+  std::vector<std::pair<std::string, double>> seconds;  ///< by stage
+};
+
+using ParameterValue = std::variant<bool, long long, double, std::string>;
+using Parameters = std::vector<std::pair<std::string, ParameterValue>>;
+
+/// Everything that defines the map Phi from the domain mesh to the shape mesh.
+struct Result {
+  std::string name;
+  int degree = 3;
+  std::vector<Point> domain_vertices;
+  std::vector<std::array<int, 3>> triangles;              ///< counter-clockwise
+  std::vector<Point> control_points;                      ///< shape space, input units
+  std::vector<std::vector<int>> triangle_control_points;  ///< for j: for i: p_ij (docs/format.md)
+  std::vector<BezierCurve> curves;
+  std::vector<CurveEdge> boundary_edges, feature_edges;
+  std::vector<BoundaryVertex> boundary_vertices;
+  std::vector<int> exceptional_vertices;
+  std::vector<std::array<int, 2>> relaxed_edges;
+  Parameters parameters;
+  Metrics metrics;
+};
+
+/// Reads `NAME.c1.json`. Throws FileError or InputError (malformed); never yields bad indices.
+Result read_result(const std::string& path);
+Result parse_result(const std::string& text, const std::string& name);
+
+/// The file's text; doubles read back bit for bit (docs/format.md).
+std::string format_result(const Result& result);
+
+/// Writes `text` to `path` whole or not at all (temporary file in the same folder, then renamed).
+void write_file(const std::string& path, const std::string& text);
+
+}  // namespace c1mesh

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a file to a checked shape: Drawing (as read), Shape (as meshed).
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "c1mesh/error.h"
+#include "c1mesh/types.h"
+
+namespace c1mesh {
+
+/// A curve as the file gives it; `id` is the file's own name for it.
+struct InputCurve {
+  std::string id;
+  BezierCurve curve;
+};
+
+/// How the inside of a set of loops is told: SVG's fill-rule. JSON arrangements use even_odd.
+enum class FillRule { even_odd, nonzero };
+
+/// One arrangement of curves to be meshed as one result: a JSON file, or one filled SVG element.
+struct Drawing {
+  std::string name;                ///< result name without directory or extension
+  std::vector<InputCurve> curves;  ///< in file order; nothing is checked yet except syntax
+  FillRule fill_rule = FillRule::even_odd;
+  std::vector<Defect> notes;       ///< conversions made while reading (arc error, closed subpaths)
+};
+
+struct ReadOptions {
+  bool together = false;            ///< SVG: the whole drawing as one arrangement
+  std::size_t max_bytes = 200'000'000;
+  std::size_t max_curves = 1'000'000;
+  int max_depth = 256;              ///< nesting of elements or arrays
+};
+
+/// Reads JSON (PRODUCT "Input") or SVG, told apart by content, from `path` ("-": standard input).
+/// Throws InputError for content that cannot be used, FileError if the file cannot be opened.
+std::vector<Drawing> read_drawings(const std::string& path, const ReadOptions& options = {});
+
+/// As above, from text already in memory; `name` names the drawings.
+std::vector<Drawing> read_drawings_from(const std::string& text, const std::string& name,
+                                        const ReadOptions& options = {});
+
+/// An input curve as a loop uses it: with the interior on its left.
+struct CurveUse {
+  int curve = -1;
+  bool reversed = false;
+};
+using Loop = std::vector<CurveUse>;
+
+/// One connected piece of the shape: counter-clockwise outer loop, clockwise holes.
+struct Region {
+  Loop outer;
+  std::vector<Loop> holes;
+};
+
+/// normalised = (input - origin) * 2^-exponent; the larger side of the bounding box becomes a
+/// length in (0.5, 1]. A power of two, so that scaling the input by one changes nothing.
+struct Frame {
+  Point origin = Point::Zero();
+  int exponent = 0;
+
+  Point normalise(const Point& p) const;
+  Point restore(const Point& p) const;
+  double extent() const;  ///< 2^exponent: input units per normalised unit
+};
+
+/// A checked arrangement: every region simple, loops closed bit for bit (a curve's end point equals
+/// the next one's start point exactly), oriented.
+struct Shape {
+  std::string name;
+  std::vector<BezierCurve> curves;     ///< input units and degree, after repairs, direction as read
+  std::vector<std::string> curve_ids;  ///< per curve
+  std::vector<Region> regions;
+  std::vector<Defect> notes;           ///< repairs and notes of reading and checking
+  Frame frame;
+
+  int highest_degree() const;
+};
+
+struct CheckOptions {
+  double gap_tolerance = 2e-3;  ///< relative to the extent: gaps up to this are closed, and said
+};
+
+struct CheckReport {
+  std::vector<Defect> defects;  ///< everything found; repaired ones have `repaired` set
+  bool usable() const;          ///< no unrepaired defect
+};
+
+/// Finds every defect of a drawing; never throws for bad geometry.
+CheckReport check(const Drawing& drawing, const CheckOptions& options = {});
+
+/// Joins, repairs what is safe, orients, nests. Throws InputError with all defects if unusable.
+Shape make_shape(const Drawing& drawing, const CheckOptions& options = {});
+
+}  // namespace c1mesh
