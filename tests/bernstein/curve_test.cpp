@@ -24,7 +24,7 @@ TEST(Curve, RestrictionIsExactInRationals) {
   const mpq_class a(3, 16), b(5, 8);
   const auto part = restrict_poles(poles, a, b);
   for (int k = 0; k <= 3; ++k) {
-    const mpq_class s(k, 3);
+    const mpq_class s = mpq_class(k) / 3;
     EXPECT_EQ(at(part, s), at(poles, a + s * (b - a)));
   }
 }
@@ -41,7 +41,7 @@ TEST(Curve, ElevationKeepsTheCurveInRationals) {
   const auto poles = rational_cubic();
   const auto raised = elevate_poles(elevate_poles(poles));
   ASSERT_EQ(raised.size(), 6u);
-  for (int k = 0; k <= 5; ++k) EXPECT_EQ(at(raised, mpq_class(k, 5)), at(poles, mpq_class(k, 5)));
+  for (int k = 0; k <= 5; ++k) EXPECT_EQ(at(raised, mpq_class(mpq_class(k) / 5)), at(poles, mpq_class(mpq_class(k) / 5)));
 }
 
 TEST(Curve, DoubleRestrictionAgreesWithTheExactOneToRounding) {
