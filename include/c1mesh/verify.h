@@ -42,4 +42,7 @@ VerifyReport verify(const Result& result, const VerifyOptions& options = {});
 /// As above, and that the result's curves are those of `input` (up to the repairs it states).
 VerifyReport verify(const Result& result, const Shape& input, const VerifyOptions& options = {});
 
+/// The report for people: one line per item, then the metrics.
+std::string report_text(const VerifyReport& report);
+
 }  // namespace c1mesh

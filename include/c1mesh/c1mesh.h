@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything: read, check, parametrize, verify, write, generate.
+#pragma once
+
+#include "c1mesh/error.h"
+#include "c1mesh/generate.h"
+#include "c1mesh/options.h"
+#include "c1mesh/parametrize.h"
+#include "c1mesh/progress.h"
+#include "c1mesh/result.h"
+#include "c1mesh/shape.h"
+#include "c1mesh/types.h"
+#include "c1mesh/verify.h"
+#include "c1mesh/version.h"
+#include "c1mesh/write.h"

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random piecewise smooth shapes for experiments, and Drawings as text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "c1mesh/shape.h"
+
+namespace c1mesh {
+
+/// `count` random shapes of Khanteimouri & Campen, section 5.3: set 'A', 'B' or 'C' has one closed
+/// outer loop (counter-clockwise) of 10, 20 or 30 cubics; the fraction of its joints that are not
+/// smooth is uniform in [0 %, 20 %]. Every shape is simple and regular, keeps a distance between
+/// its parts, and at every other joint the handles are collinear in exact arithmetic. Named
+/// "A-0001" and so on. Coordinates are multiples of 2^-6 below 2048 in size.
+/// Shape number i depends on (set, seed, i) alone and is the same on every machine.
+/// Throws std::invalid_argument for another set or a negative count.
+std::vector<Drawing> generate(char set, int count, std::uint64_t seed);
+
+/// The drawing as JSON input text; doubles read back bit for bit, but -0 as 0.
+std::string drawing_json(const Drawing& drawing);
+
+/// The drawing as one SVG path, y downward. Throws std::invalid_argument for degrees above 3, which
+/// SVG cannot say.
+std::string drawing_svg(const Drawing& drawing);
+
+}  // namespace c1mesh

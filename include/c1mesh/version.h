@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace c1mesh {
+
+/// The library's version, for example "0.1.0".
+const char* version();
+
+}  // namespace c1mesh

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where to give up C1: the fewest chain ends a loop needs, and candidates for the missing ones.
+#pragma once
+
+#include <vector>
+
+#include "domain/layout.h"
+
+namespace c1mesh {
+
+/// A boundary vertex as (loop, position).
+struct Place {
+  int loop = 0, position = 0;
+  bool operator==(const Place&) const = default;
+};
+
+/// How many chain ends of the right kind a loop still lacks: max(0, 3 - convex corners) for the
+/// outer loop, max(0, 3 - reflex corners) for a hole, counting only C1 corners and exceptional ends.
+int missing_corners(const Joints& joints, const Roles& roles, int loop);
+
+enum class Placement {
+  curvature,  ///< where the boundary bends most, spaced apart
+  spread,     ///< evenly along the boundary, starting where it bends most
+  shifted,    ///< evenly, offset by half a spacing
+};
+
+/// Roles with the missing corners of every loop placed as exceptional vertices.
+Roles place_exceptional(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
+                        Placement placement);
+
+int count_exceptional(const Roles& roles);
+
+/// The fewest exceptional vertices of the region by PRODUCT's count (joints decide, not roles).
+int minimum_exceptional(const Joints& joints);
+
+}  // namespace c1mesh

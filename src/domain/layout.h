@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the domain's vertices depend on its free unknowns: chains flat and with the right fractions
+// by construction (docs/method.md, "chains").
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "domain/joints.h"
+#include "mesh/curved_mesh.h"
+
+namespace c1mesh {
+
+/// What the domain does at a boundary vertex.
+enum class Role {
+  flat,         ///< interior angle exactly pi, edge lengths in the ratio of the derivatives
+  bent,         ///< a mild joint within a chain: turns by kappa w, w a free vector
+  anchor,       ///< ends a chain, C1: a corner, or a mild joint with a free vertex
+  exceptional,  ///< ends a chain, C1 given up
+};
+
+/// roles[loop][position], aligned with Joints.
+using Roles = std::vector<std::vector<Role>>;
+
+/// The roles that keep everything C1: corners and distinctly mild joints (|kappa| above
+/// `bent_limit`) are anchors, slighter ones bent, the rest flat.
+Roles natural_roles(const Joints& joints, double bent_limit = 1e-4);
+
+/// The rows of two auxiliary points at a mild joint v: v + e0 and v + w, with e0 the incoming domain
+/// edge and w the vector of e1 = r e0 + kappa w. Over them the joint's gradient is well conditioned
+/// however slight the turn: it maps (e0, w) to (d0, J d0).
+struct Tips {
+  int along = -1, across = -1;
+};
+
+/// points = exact * unknowns, for x and y alike. Rows: the mesh's vertices, then the tips of the
+/// mild joints. Unknowns: interior vertices, chain ends, the vectors w of bent joints.
+struct DomainLayout {
+  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  Matrix exact;                     ///< the positions
+  Matrix sparse;                    ///< without far, tiny entries of w: for Hessians only
+  std::vector<int> unknown_of_row;  ///< per vertex: the unknown it is equal to, or -1 in a chain
+  std::vector<std::vector<Tips>> tips;        ///< [loop][position]; -1 where there are none
+  std::vector<std::vector<int>> bend_unknown; ///< [loop][position]: the unknown w, or -1
+
+  int rows() const { return static_cast<int>(exact.rows()); }
+  int unknowns() const { return static_cast<int>(exact.cols()); }
+};
+
+/// Precondition: every loop has at least two chain ends (three for a valid polygon).
+DomainLayout make_layout(const CurvedMesh& mesh, const Joints& joints, const Roles& roles);
+
+}  // namespace c1mesh

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// First positions for the domain's unknowns, and extra elements that keep holes open.
+#pragma once
+
+#include <vector>
+
+#include "domain/energy.h"
+#include "domain/layout.h"
+#include "mesh/curved_mesh.h"
+
+namespace c1mesh {
+
+enum class Start {
+  shape,   ///< chain ends stay where the shape has them, interior vertices follow harmonically
+  convex,  ///< outer loop on a convex polygon, holes filled, Tutte's embedding
+};
+
+/// Values of the layout's unknowns. Chain vertices follow from the layout; triangles may be inverted.
+PointMatrix start_positions(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
+                            const DomainLayout& layout, Start start);
+
+/// True if every interior vertex is wound once and every boundary vertex less than once, given that
+/// all triangles are positive. Positive triangles alone do not give this.
+bool winds_once(const CurvedMesh& mesh, const PointMatrix& points);
+
+/// Pairs of crossing boundary edges of the domain (the domain overlaps itself in the plane).
+int boundary_crossings(const CurvedMesh& mesh, const PointMatrix& points);
+
+}  // namespace c1mesh

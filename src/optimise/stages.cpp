@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimise/stages.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/topology.h"
+
+namespace c1mesh {
+namespace {
+
+// Each control point's own length scale: the square root of the smallest area around it.
+std::vector<double> control_sizes(const CurvedMesh& mesh, const std::vector<Point>& control) {
+  const JacobianTables& tables = JacobianTables::of(mesh.degree);
+  std::vector<double> size(control.size(), 1);
+  std::fill_n(size.begin(), mesh.control.size(), 1e300);
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    Net net(tables.net_size);
+    const int* ids = &mesh.nets[t * tables.net_size];
+    for (int k = 0; k < tables.net_size; ++k) net[k] = control[ids[k]];
+    const double length = std::sqrt(std::abs(det_coefficients(tables, net).mean()));
+    for (int k = 0; k < tables.net_size; ++k) size[ids[k]] = std::min(size[ids[k]], length);
+  }
+  return size;
+}
+
+// The vertices of the edges with the largest residues, worst first, without repetition.
+std::vector<int> worst_vertices(const std::vector<C1Edge>& edges, const PointMatrix& domain,
+                                const std::vector<Point>& control, int mesh_vertices) {
+  std::vector<std::pair<double, std::size_t>> worst;
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    worst.emplace_back(-largest_residue({edges[k]}, domain, control), k);
+  std::sort(worst.begin(), worst.end());
+  std::vector<int> out;
+  for (std::size_t k = 0; k < worst.size() && worst[k].first < 0.1 * worst[0].first; ++k)
+    for (int v : edges[worst[k].second].vertex)
+      if (v < mesh_vertices && std::find(out.begin(), out.end(), v) == out.end()) out.push_back(v);
+  return out;
+}
+
+}  // namespace
+
+std::vector<C1Edge> asked_edges(const CurvedMesh& mesh, const Joints& joints, const Roles& roles) {
+  std::vector<char> exceptional(mesh.vertex_count(), 0);
+  for (std::size_t l = 0; l < joints.size(); ++l)
+    for (std::size_t k = 0; k < joints[l].size(); ++k)
+      if (roles[l][k] == Role::exceptional) exceptional[joints[l][k].vertex] = 1;
+  std::vector<C1Edge> out;
+  for (C1Edge& e : c1_edges(mesh))
+    if (!exceptional[e.vertex[0]] && !exceptional[e.vertex[1]]) out.push_back(std::move(e));
+  return out;
+}
+
+JointReport optimise_jointly(const CurvedMesh& mesh, const DomainLayout& layout,
+                             const std::vector<C1Edge>& asked, const DomainElements& elements,
+                             const JointOptions& options, MapState& state,
+                             const Checkpoint& checkpoint) {
+  // Wedges as they are; the triangles' distortion now moves with the control points, and in its
+  // place each domain triangle is held near the shape the domain stage gave it.
+  std::vector<DomainElement> extras(elements.all.begin() + elements.triangles, elements.all.end());
+  const PointMatrix domain = layout.exact * state.unknowns;
+  for (int t = 0; t < elements.triangles; ++t) {
+    DomainElement element = elements.all[t];
+    const Eigen::Matrix2d reference = columns_of(element, domain);
+    element.metric = metric_of(reference);
+    element.area = cross(reference.col(0), reference.col(1));
+    element.balance = 1;
+    element.weight *= options.domain_quality;
+    extras.push_back(element);
+  }
+  MapObjective objective(mesh, layout, asked, std::move(extras), state, true);
+  objective.rho = options.rho;
+  objective.exponent = options.exponent;
+  Eigen::VectorXd x = objective.pack(state);
+  const NewtonReport newton_report = newton(objective, x, {options.iterations, 1e-4}, checkpoint);
+  state = objective.unpack(x);
+  JointReport report;
+  report.iterations = newton_report.iterations;
+  report.energy = newton_report.value;
+  report.residue = largest_residue(asked, layout.exact * state.unknowns, state.control);
+  return report;
+}
+
+ExactReport make_exact(const CurvedMesh& mesh, const DomainLayout& layout,
+                       const std::vector<C1Edge>& asked, const ExactOptions& options,
+                       MapState& state, const Checkpoint& checkpoint) {
+  ExactReport report;
+  MapObjective objective(mesh, layout, asked, {}, state, false);
+  objective.exponent = options.exponent;
+  const PointMatrix domain = layout.exact * state.unknowns;
+  Eigen::VectorXd x = objective.pack(state);
+  for (objective.rho = options.first_rho; objective.rho <= options.last_rho; objective.rho *= 10)
+    report.iterations += newton(objective, x, {options.iterations, 1e-5}, checkpoint).iterations;
+  objective.rho = options.last_rho;
+  state.control = objective.unpack(x).control;
+  report.residue = largest_residue(asked, domain, state.control);
+  if (report.residue > options.give_up_residue) {
+    report.final_residue = report.residue;
+    report.trouble = worst_vertices(asked, domain, state.control, mesh.vertex_count());
+    return report;
+  }
+  for (int round = 0; round < options.multiplier_rounds && report.residue > 1e-11; ++round) {
+    objective.update_multipliers(x);
+    report.iterations += newton(objective, x, {options.iterations, 1e-9}, checkpoint).iterations;
+    state.control = objective.unpack(x).control;
+    report.residue = largest_residue(asked, domain, state.control);
+  }
+  MapState exact = state;
+  const ProjectionReport projection = project_to_c1(
+      asked, domain, objective.fixed(), control_sizes(mesh, state.control), exact.control);
+  report.final_residue = projection.after;
+  const std::vector<double> g = distortion_bounds(mesh, domain, exact.control);
+  report.success = projection.after < 2e-13 && std::isfinite(*std::max_element(g.begin(), g.end()));
+  if (report.success) {
+    state.control = exact.control;
+    return report;
+  }
+  if (projection.after >= 2e-13) {
+    report.trouble = worst_vertices(asked, domain, exact.control, mesh.vertex_count());
+  } else {
+    for (std::size_t t = 0; t < g.size(); ++t)
+      if (!std::isfinite(g[t]))
+        for (int v : mesh.triangles[t]) report.trouble.push_back(v);
+  }
+  return report;
+}
+
+std::vector<double> distortion_bounds(const CurvedMesh& mesh, const PointMatrix& domain,
+                                      const std::vector<Point>& control) {
+  const JacobianTables& tables = JacobianTables::of(mesh.degree);
+  std::vector<double> g;
+  Net net(tables.net_size);
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    for (int k = 0; k < tables.net_size; ++k)
+      net[k] = control[mesh.nets[t * tables.net_size + k]];
+    const Point origin = domain.row(mesh.triangles[t][0]).transpose();
+    g.push_back(distortion_bound(tables, net,
+                                 domain.row(mesh.triangles[t][1]).transpose() - origin,
+                                 domain.row(mesh.triangles[t][2]).transpose() - origin));
+  }
+  return g;
+}
+
+}  // namespace c1mesh

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimise/triangle_energy.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+namespace c1mesh {
+namespace {
+
+// The three entries of S(D) = adj(D) adj(D)^T / det D with their derivatives in vec D.
+struct InverseMetric {
+  Eigen::Vector3d value;                 // S11, S12, S22
+  Eigen::Matrix<double, 3, 4> gradient;  // rows: entries
+};
+
+InverseMetric inverse_metric(const Eigen::Matrix2d& D) {
+  const Point a = D.col(0), b = D.col(1);
+  const double det = cross(a, b);
+  const Eigen::Vector3d top(b.squaredNorm(), -a.dot(b), a.squaredNorm());
+  Eigen::Matrix<double, 3, 4> d_top;
+  d_top << 0, 0, 2 * b.x(), 2 * b.y(),  //
+      -b.x(), -b.y(), -a.x(), -a.y(),   //
+      2 * a.x(), 2 * a.y(), 0, 0;
+  const Eigen::RowVector4d d_det(b.y(), -b.x(), -a.y(), a.x());
+  InverseMetric S;
+  S.value = top / det;
+  S.gradient = (d_top - S.value * d_det) / det;
+  return S;
+}
+
+// The Hessian in vec D of s . S(D) for constant s: with N = s . top quadratic,
+// H = H_N / det - (dN d_det^T + d_det dN^T) / det^2 + 2 N d_det d_det^T / det^3 - N H_det / det^2.
+Eigen::Matrix4d inverse_metric_hessian(const Eigen::Vector3d& s, const Eigen::Matrix2d& D) {
+  const Point a = D.col(0), b = D.col(1);
+  const double det = cross(a, b);
+  const double N = s[0] * b.squaredNorm() - s[1] * a.dot(b) + s[2] * a.squaredNorm();
+  Eigen::Vector4d dN, dd(b.y(), -b.x(), -a.y(), a.x());
+  dN << 2 * s[2] * a - s[1] * b, 2 * s[0] * b - s[1] * a;
+  Eigen::Matrix4d H = Eigen::Matrix4d::Zero();
+  H.diagonal() << 2 * s[2], 2 * s[2], 2 * s[0], 2 * s[0];
+  H(0, 2) = H(2, 0) = H(1, 3) = H(3, 1) = -s[1];
+  H /= det;
+  H += -(dN * dd.transpose() + dd * dN.transpose()) / (det * det) +
+       2 * N / (det * det * det) * dd * dd.transpose();
+  const double curl = N / (det * det);
+  H(0, 3) -= curl;
+  H(3, 0) -= curl;
+  H(1, 2) += curl;
+  H(2, 1) += curl;
+  return H;
+}
+
+}  // namespace
+
+TriangleEnergy::TriangleEnergy(int degree) : tables_(JacobianTables::of(degree)) {
+  const int N = tables_.net_size, M = tables_.derivative_size;
+  Eigen::MatrixXd U = Eigen::MatrixXd::Zero(M, N), V = U;
+  for (int k = 0; k < M; ++k) {
+    U(k, tables_.along_u[k]) += 1;
+    U(k, tables_.origin[k]) -= 1;
+    V(k, tables_.along_v[k]) += 1;
+    V(k, tables_.origin[k]) -= 1;
+  }
+  uu_ = U.transpose() * tables_.mass * U;
+  vv_ = V.transpose() * tables_.mass * V;
+  uv_ = U.transpose() * tables_.mass * V;
+  uv_ += uv_.transpose().eval();
+}
+
+double TriangleEnergy::value(const Net& net, const Eigen::Matrix2d& D) const {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  if (!(cross(D.col(0), D.col(1)) > 0)) return kInfinite;
+  const Eigen::VectorXd c = det_coefficients(tables_, net);
+  if (!(c.minCoeff() > 0)) return kInfinite;
+  const Eigen::Map<const Eigen::Matrix<double, 2, Eigen::Dynamic>> p(net[0].data(), 2,
+                                                                     tables_.net_size);
+  const Eigen::Vector3d s = inverse_metric(D).value;
+  const double q = (p * (s[0] * uu_ + s[1] * uv_ + s[2] * vv_)).cwiseProduct(p).sum();
+  return q * c.cwiseInverse().mean();
+}
+
+// h = mean 1/c_k: gradient -mean(c_k^-2 grad c_k), Hessian
+// mean(2 c_k^-3 grad c_k grad c_k^T - c_k^-2 hess c_k).
+void TriangleEnergy::inverse_mean(const Net& net, const Eigen::VectorXd& c, double& h,
+                                  Eigen::VectorXd& gradient, Eigen::MatrixXd& hessian) const {
+  const int N = tables_.net_size, K = tables_.det_size;
+  const double scale = double(tables_.degree) * tables_.degree;
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(2 * N, K);
+  // curl_ij: weight of cross(p_i, p_j) in sum_k c_k^-2 c_k.
+  Eigen::MatrixXd curl = Eigen::MatrixXd::Zero(N, N);
+  for (int k = 0; k < K; ++k) {
+    const double factor = scale / (c[k] * c[k]);
+    for (const auto& pair : tables_.products[k]) {
+      const int ao = tables_.origin[pair.first], au = tables_.along_u[pair.first];
+      const int bo = tables_.origin[pair.second], bv = tables_.along_v[pair.second];
+      const Point u = scale * pair.weight * (net[au] - net[ao]);
+      const Point v = scale * pair.weight * (net[bv] - net[bo]);
+      const Point along_u(v.y(), -v.x()), along_v(-u.y(), u.x());
+      slopes.block<2, 1>(2 * au, k) += along_u;
+      slopes.block<2, 1>(2 * ao, k) -= along_u;
+      slopes.block<2, 1>(2 * bv, k) += along_v;
+      slopes.block<2, 1>(2 * bo, k) -= along_v;
+      const double weight = factor * pair.weight;
+      curl(au, bv) += weight;
+      curl(au, bo) -= weight;
+      curl(ao, bv) -= weight;
+      curl(ao, bo) += weight;
+    }
+  }
+  const Eigen::ArrayXd inverse = c.array().inverse();
+  h = inverse.mean();
+  gradient = -slopes * inverse.square().matrix() / K;
+  const Eigen::MatrixXd scaled = slopes * (2 * inverse.cube()).sqrt().matrix().asDiagonal();
+  hessian.noalias() = scaled * scaled.transpose() / K;
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < N; ++j) {
+      const double entry = (curl(i, j) - curl(j, i)) / K;  // of x_i y_j
+      hessian(2 * i, 2 * j + 1) -= entry;
+      hessian(2 * j + 1, 2 * i) -= entry;
+    }
+}
+
+bool TriangleEnergy::derivatives(const Net& net, const Eigen::Matrix2d& D, double& value,
+                                 Eigen::VectorXd& gradient, Eigen::MatrixXd& hessian) const {
+  const int N = tables_.net_size, P = 2 * N;
+  if (!(cross(D.col(0), D.col(1)) > 0)) return false;
+  const Eigen::VectorXd c = det_coefficients(tables_, net);
+  if (!(c.minCoeff() > 0)) return false;
+  const Eigen::Map<const Eigen::Matrix<double, 2, Eigen::Dynamic>> p(net[0].data(), 2, N);
+
+  double h;
+  Eigen::VectorXd dh;
+  Eigen::MatrixXd ddh(P, P);
+  inverse_mean(net, c, h, dh, ddh);
+
+  const InverseMetric S = inverse_metric(D);
+  const Eigen::MatrixXd stiffness = S.value[0] * uu_ + S.value[1] * uv_ + S.value[2] * vv_;
+  // Q as a vector (Q11, 2 Q12, Q22) and its derivative in p, one column an entry.
+  Eigen::Matrix<double, Eigen::Dynamic, 3> dQ(P, 3);
+  const Eigen::MatrixXd* forms[3] = {&uu_, &uv_, &vv_};
+  Eigen::Vector3d Q;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::MatrixXd product = p * *forms[k];
+    Q[k] = product.cwiseProduct(p).sum();
+    dQ.col(k) = 2 * Eigen::Map<const Eigen::VectorXd>(product.data(), P);
+  }
+  const double q = S.value.dot(Q);
+  const Eigen::VectorXd dq_p = dQ * S.value;
+  const Eigen::Vector4d dq_D = S.gradient.transpose() * Q;
+
+  value = q * h;
+  gradient.resize(P + 4);
+  gradient << h * dq_p + q * dh, h * dq_D;
+  hessian.resize(P + 4, P + 4);
+  auto pp = hessian.topLeftCorner(P, P);
+  pp.noalias() = q * ddh + dq_p * dh.transpose() + dh * dq_p.transpose();
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < N; ++j) {
+      pp(2 * i, 2 * j) += 2 * h * stiffness(i, j);
+      pp(2 * i + 1, 2 * j + 1) += 2 * h * stiffness(i, j);
+    }
+  hessian.topRightCorner(P, 4) = h * dQ * S.gradient + dh * dq_D.transpose();
+  hessian.bottomLeftCorner(4, P) = hessian.topRightCorner(P, 4).transpose();
+  hessian.bottomRightCorner(4, 4) = h * inverse_metric_hessian(Q, D);
+  return true;
+}
+
+void project_to_semidefinite(Eigen::MatrixXd& hessian) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hessian);
+  if (eigen.eigenvalues()[0] >= 0) return;
+  const Eigen::VectorXd kept = eigen.eigenvalues().cwiseMax(0);
+  hessian = eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+}  // namespace c1mesh
