@@ -23,12 +23,12 @@ struct BoundaryEdge {
 /// once, in no promised order.
 struct CurvedMesh {
   int degree = 3;
-  std::vector<Point> domain;                       ///< T^: one point per vertex
-  std::vector<std::array<int, 3>> triangles;       ///< counter-clockwise
-  std::vector<Point> control;                      ///< T: all control points
-  std::vector<int> nets;                           ///< flat: triangle t's ids start at t * net_size
-  std::vector<std::vector<BoundaryEdge>> loops;    ///< loop 0 is the outer one; each in loop order
-  std::vector<char> warped;                        ///< per triangle: is its map not the identity?
+  std::vector<Point> domain;                     ///< T^: one point per vertex
+  std::vector<std::array<int, 3>> triangles;     ///< counter-clockwise
+  std::vector<Point> control;                    ///< T: all control points
+  std::vector<int> nets;                         ///< flat: triangle t's ids start at t * net_size
+  std::vector<std::vector<BoundaryEdge>> loops;  ///< loop 0 is the outer one; each in loop order
+  std::vector<char> warped;                      ///< per triangle: is its map not the identity?
 
   int net_size() const { return (degree + 1) * (degree + 2) / 2; }
   int vertex_count() const { return static_cast<int>(domain.size()); }

@@ -17,7 +17,8 @@ struct LoopCurve {
   bool reversed = false;
 };
 
-/// One region to mesh: loops[0] counter-clockwise, the others clockwise; curve ends agree bit for bit.
+/// One region to mesh: loops[0] counter-clockwise, the others clockwise; curve ends agree bit for
+/// bit.
 struct MeshInput {
   int degree = 3;
   std::vector<std::vector<LoopCurve>> loops;
@@ -28,10 +29,10 @@ struct MeshOptions {
 };
 
 struct MeshReport {
-  double mips_bound = 0;            ///< the bound that holds: max over triangles of max n_i / min d_i
+  double mips_bound = 0;  ///< the bound that holds: max over triangles of max n_i / min d_i
   int warp_triangles = 0;
-  int splits = 0;                   ///< how often an input curve was halved
-  std::vector<std::string> notes;   ///< where mu had to be raised, and why
+  int splits = 0;                  ///< how often an input curve was halved
+  std::vector<std::string> notes;  ///< where mu had to be raised, and why
 };
 
 /// Triangulates one region. Every triangle t has g(t) <= report.mips_bound, the domain mesh is the

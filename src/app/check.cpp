@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// c1mesh check: reads and checks only.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "app/command.h"
+#include "c1mesh/shape.h"
+
+namespace c1mesh::app {
+namespace {
+
+struct CheckArguments {
+  std::vector<std::string> inputs;
+  ReadOptions read;
+};
+
+std::string counted(long number, const char* noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+Status check_drawing(Console& console, const std::string& input, const Drawing& drawing) {
+  const CheckReport report = check(drawing);
+  say_defects(console, input, report.defects);
+  const auto harmless =
+      std::count_if(report.defects.begin(), report.defects.end(),
+                    [](const Defect& d) { return d.repaired || d.kind == DefectKind::note; });
+  const long serious = static_cast<long>(report.defects.size()) - harmless;
+  const std::string verdict = report.usable() ? console.coloured(Tone::good, "usable")
+                                              : console.coloured(Tone::bad, "not usable") + ", " +
+                                                    counted(serious, "defect");
+  console.say(fmt::format("{}: {}: {}, {}{}", printable(input), printable(drawing.name),
+                          counted(static_cast<long>(drawing.curves.size()), "curve"), verdict,
+                          harmless ? ", " + counted(harmless, "note or repair") : ""));
+  return report.usable() ? Status::ok : Status::input;
+}
+
+Status check_inputs(Console& console, const CheckArguments& arguments) {
+  Status status = Status::ok;
+  for (const std::string& input : arguments.inputs)
+    status = worse(status, guarded(console, input, [&] {
+                     Status worst = Status::ok;
+                     for (const Drawing& drawing : read_input(input, arguments.read))
+                       worst = worse(worst, check_drawing(console, input, drawing));
+                     return worst;
+                   }));
+  return status;
+}
+
+}  // namespace
+
+Command add_check(CLI::App& app) {
+  auto arguments = std::make_shared<CheckArguments>();
+  CLI::App* cli =
+      app.add_subcommand("check", "Find every defect of inputs; mesh and write nothing");
+  cli->add_option("INPUT", arguments->inputs, "JSON or SVG files, - for standard input")
+      ->required();
+  cli->add_flag("--together", arguments->read.together,
+                "Take a whole SVG drawing as one arrangement");
+  return {cli, [arguments](Console& console) { return check_inputs(console, *arguments); }};
+}
+
+}  // namespace c1mesh::app

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program: parses the command line, runs one command, returns its status.
+#include <CLI/CLI.hpp>
+#include <vector>
+
+#include "app/command.h"
+#include "c1mesh/version.h"
+
+namespace {
+
+using c1mesh::app::Status;
+
+constexpr const char* kFooter = R"(
+Exit status: 0 all that was asked holds and was verified; 1 internal error; 2 wrong command line;
+3 invalid input, nothing written; 4 valid, but a bound is missed; 5 ended by a limit or a signal.
+Of several inputs the worst counts, from best to worst: 0, 4, 5, 3, 2, 1.)";
+
+int parse_error(const CLI::App& app, const CLI::ParseError& error) {
+  const bool wanted = error.get_exit_code() == 0;  // --help, --version
+  app.exit(error);
+  return static_cast<int>(wanted ? Status::ok : Status::usage);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace c1mesh::app;
+  Console console;
+  CLI::App app(
+      "Exactly C1 curved-triangle parametrizations of planar shapes bounded by Bezier curves",
+      "c1mesh");
+  app.set_version_flag("--version", std::string("c1mesh ") + c1mesh::version());
+  app.add_flag("-q,--quiet", console.quiet, "Say errors only");
+  app.add_flag("-v,--verbose", console.verbose, "Say every stage and note");
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  app.fallthrough();
+  const std::vector<Command> commands = {add_run(app),  add_check(app),   add_verify(app),
+                                         add_draw(app), add_convert(app), add_generate(app)};
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return parse_error(app, error);
+  }
+  for (const Command& command : commands)
+    if (command.cli->parsed())
+      return static_cast<int>(
+          guarded(console, command.cli->get_name(), [&] { return command.action(console); }));
+  return static_cast<int>(Status::usage);
+}

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/straight_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "bernstein/curve.h"
+#include "mesh/straight_cdt.h"
+
+namespace c1mesh::meshing {
+namespace {
+
+// One loop's chords as flat segment numbers.
+struct Ring {
+  int first = 0, count = 0;
+};
+
+class Builder {
+ public:
+  Builder(const std::vector<std::vector<WarpSegment>>& layer, const Thrift& thrift)
+      : thrift_(thrift) {
+    for (const auto& loop : layer) {
+      rings_.push_back({static_cast<int>(segments_.size()), static_cast<int>(loop.size())});
+      for (const WarpSegment& s : loop) segments_.push_back(&s);
+    }
+  }
+
+  StraightMesh build() {
+    insert_points();
+    insert_constraints();
+    mark_domain();
+    refine_delaunay(cdt_, segments_, thrift_);
+    number_vertices();
+    collect_triangles();
+    trace_chords();
+    sort_triangles();
+    return std::move(mesh_);
+  }
+
+ private:
+  int next_in_ring(const Ring& ring, int i) const {
+    return ring.first + (i - ring.first + 1) % ring.count;
+  }
+
+  Vertex insert(const Point& p) {
+    const Vertex v = cdt_.insert(KernelPoint(p.x(), p.y()), hint_);
+    v->info().number = static_cast<int>(mesh_.points.size());
+    hint_ = v->face();
+    mesh_.points.push_back(p);
+    vertices_.push_back(v);
+    return v;
+  }
+
+  void insert_points() {
+    for (const WarpSegment* s : segments_) starts_.push_back(insert(s->curve.start()));
+    for (const WarpSegment* s : segments_)
+      apexes_.push_back(s->straight ? Vertex() : insert(s->apex));
+    if (cdt_.number_of_vertices() != mesh_.points.size())
+      throw std::runtime_error("two boundary points coincide");
+    for (const Ring& ring : rings_)
+      for (int i = ring.first; i < ring.first + ring.count; ++i) {
+        const int j = next_in_ring(ring, i);
+        for (Vertex v : {starts_[i], starts_[j]})
+          v->info().lines.push_back(line_of(i, Side::chord));
+        if (segments_[i]->straight) continue;
+        for (Vertex v : {starts_[i], apexes_[i]}) v->info().lines.push_back(line_of(i, Side::left));
+        for (Vertex v : {apexes_[i], starts_[j]})
+          v->info().lines.push_back(line_of(i, Side::right));
+      }
+  }
+
+  void insert_constraints() {
+    for (const Ring& ring : rings_)
+      for (int i = ring.first; i < ring.first + ring.count; ++i) {
+        const Vertex a = starts_[i], b = starts_[next_in_ring(ring, i)];
+        cdt_.insert_constraint(a, b);
+        if (segments_[i]->straight) continue;
+        cdt_.insert_constraint(a, apexes_[i]);
+        cdt_.insert_constraint(apexes_[i], b);
+      }
+  }
+
+  // Marks the faces left of the chords and all that no chord separates from them.
+  void mark_domain() {
+    std::vector<Face> stack;
+    for (const Ring& ring : rings_)
+      for (int i = ring.first; i < ring.first + ring.count; ++i) {
+        const Vertex a = starts_[i], b = starts_[next_in_ring(ring, i)];
+        Face face;
+        int k;
+        if (!cdt_.is_edge(a, b, face, k)) throw std::runtime_error("a chord is not an edge");
+        // The face that has a -> b counter-clockwise lies on the left.
+        stack.push_back(face->vertex(Triangulation::ccw(k)) == a ? face : face->neighbor(k));
+      }
+    while (!stack.empty()) {
+      const Face face = stack.back();
+      stack.pop_back();
+      if (face->info().in_domain) continue;
+      if (cdt_.is_infinite(face)) throw std::runtime_error("the chord polygon is not simple");
+      face->info().in_domain = true;
+      for (int k = 0; k < 3; ++k)
+        if (!is_chord(face, k)) stack.push_back(face->neighbor(k));
+    }
+  }
+
+  // Before refinement the chords are the edges between successive start points.
+  bool is_chord(Face face, int k) const {
+    if (!face->is_constrained(k)) return false;
+    const int a = face->vertex(Triangulation::ccw(k))->info().number;
+    const int b = face->vertex(Triangulation::cw(k))->info().number;
+    return std::max(a, b) < static_cast<int>(segments_.size());
+  }
+
+  // Steiner points in the order of their coordinates: no trace of the library's containers is left.
+  void number_vertices() {
+    std::vector<Vertex> steiner;
+    for (auto v = cdt_.finite_vertices_begin(); v != cdt_.finite_vertices_end(); ++v)
+      if (v->info().number < 0) steiner.push_back(v);
+    std::sort(steiner.begin(), steiner.end(),
+              [](Vertex a, Vertex b) { return a->point() < b->point(); });
+    for (const Vertex& v : steiner) {
+      v->info().number = static_cast<int>(mesh_.points.size());
+      mesh_.points.push_back(point_of(v));
+    }
+    vertices_.insert(vertices_.end(), steiner.begin(), steiner.end());
+  }
+
+  void collect_triangles() {
+    for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end(); ++f) {
+      if (!f->info().in_domain) continue;
+      f->info().number = static_cast<int>(faces_.size());
+      faces_.push_back(f);
+      mesh_.triangles.push_back(
+          {f->vertex(0)->info().number, f->vertex(1)->info().number, f->vertex(2)->info().number});
+      mesh_.warp.push_back(warp_of(f, segments_));
+    }
+  }
+
+  // Follows the boundary from vertex to vertex.
+  void trace_chords() {
+    std::vector<int> next(mesh_.points.size(), -1);
+    for (std::size_t t = 0; t < faces_.size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        if (!faces_[t]->neighbor(k)->info().in_domain) {
+          const int from = mesh_.triangles[t][(k + 1) % 3];
+          if (next[from] >= 0) throw std::runtime_error("the chord polygon is not simple");
+          next[from] = mesh_.triangles[t][(k + 2) % 3];
+        }
+    mesh_.chords.resize(segments_.size());
+    for (const Ring& ring : rings_)
+      for (int i = ring.first; i < ring.first + ring.count; ++i) {
+        const int last = next_in_ring(ring, i);
+        auto& chord = mesh_.chords[i];
+        chord.push_back({i, 0.0});
+        for (int v = next[i]; v != last; v = next[v]) {
+          if (v < 0 || vertices_[v]->info().lines != std::vector<int>{line_of(i, Side::chord)})
+            throw std::runtime_error("a chord is not covered by edges");
+          chord.push_back({v, vertices_[v]->info().s});
+        }
+        chord.push_back({last, 1.0});
+      }
+  }
+
+  void sort_triangles() {
+    std::vector<std::pair<std::array<int, 3>, int>> sorted;
+    for (std::size_t t = 0; t < faces_.size(); ++t) {
+      auto v = mesh_.triangles[t];
+      std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
+      sorted.emplace_back(v, mesh_.warp[t]);
+    }
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t t = 0; t < sorted.size(); ++t)
+      std::tie(mesh_.triangles[t], mesh_.warp[t]) = sorted[t];
+  }
+
+  const Thrift& thrift_;
+  std::vector<const WarpSegment*> segments_;
+  std::vector<Ring> rings_;
+  std::vector<Vertex> starts_, apexes_;
+  Triangulation cdt_;
+  Face hint_;
+  std::vector<Vertex> vertices_;  // by number
+  std::vector<Face> faces_;       // of the domain, as numbered in mesh_.triangles before sorting
+  StraightMesh mesh_;
+};
+
+}  // namespace
+
+Point chord_point(const WarpSegment& segment, double s) {
+  if (segment.straight) return evaluate(segment.curve, s);
+  return segment.curve.start() + s * (segment.curve.end() - segment.curve.start());
+}
+
+StraightMesh triangulate_layer(const std::vector<std::vector<WarpSegment>>& layer,
+                               const Thrift& thrift) {
+  return Builder(layer, thrift).build();
+}
+
+}  // namespace c1mesh::meshing

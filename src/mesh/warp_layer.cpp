@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/warp_layer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "bernstein/curve.h"
+#include "mesh/box_pairs.h"
+
+namespace c1mesh::meshing {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kShareBesideWarp = 0.4;  // of a joint's angle, where both sides are warped
+constexpr double kShareBesideLine = 0.5;  // where the other side has no warp triangle
+constexpr double kShrinkStep = 0.75;
+constexpr double kMargin = 0.6;  // least gap, in heights of the lower warp triangle
+constexpr double kFlattestBaseAngle = 0.35 * kDegree;
+constexpr int kBoundDepth = 24;  // beyond, a bound above mu is accepted and noted
+constexpr int kMaxDepth = 44;    // s stays exact in a double with room for later splits
+
+// A segment's place in the ring of its loop and what the current round wants of it.
+struct Node {
+  WarpSegment segment;
+  int next = -1, previous = -1;
+  double wished_shrink = 1;
+  bool wished_split = false;
+  bool changed = true;
+};
+
+class Layer {
+ public:
+  Layer(const MeshInput& input, double mips_bound, const Thrift& thrift, MeshReport& report)
+      : input_(input), bound_(mips_bound), thrift_(thrift), report_(report) {}
+
+  /// False if more than `limit` segments would be needed.
+  bool build(std::size_t limit) {
+    for (std::size_t k = 0; k < input_.loops.size(); ++k) add_loop(static_cast<int>(k));
+    while (nodes_.size() <= limit)
+      if (!resolve_conflicts()) return true;
+    return false;
+  }
+
+  std::vector<std::vector<WarpSegment>> collect() {
+    std::vector<std::vector<WarpSegment>> loops;
+    for (int first : first_) {
+      std::vector<WarpSegment> loop;
+      int i = first;
+      do {
+        loop.push_back(nodes_[i].segment);
+        note(loop.back());
+        i = nodes_[i].next;
+      } while (i != first);
+      loops.push_back(std::move(loop));
+    }
+    return loops;
+  }
+
+ private:
+  double impatience(int depth) const {
+    return std::pow(thrift_.impatience, std::max(0, depth - thrift_.patient_depth));
+  }
+
+  double least_base_angle(int depth) const {
+    return std::max(kFlattestBaseAngle, thrift_.base_angle * impatience(depth));
+  }
+
+  BezierCurve piece(const WarpSegment& s) const {
+    const BezierCurve& whole = input_.loops[s.loop][s.source].bezier;
+    if (s.s0 == 0 && s.s1 == 1) return whole;
+    return restrict_exactly(whole, s.s0, s.s1, input_.degree);
+  }
+
+  void add_loop(int loop) {
+    const auto& curves = input_.loops[loop];
+    const int first = static_cast<int>(nodes_.size()), count = static_cast<int>(curves.size());
+    for (int i = 0; i < count; ++i) {
+      Node node;
+      WarpSegment& s = node.segment;
+      s.loop = loop;
+      s.source = i;
+      s.curve = curves[i].bezier;
+      s.straight = is_straight(s.curve);
+      node.next = first + (i + 1) % count;
+      node.previous = first + (i + count - 1) % count;
+      nodes_.push_back(std::move(node));
+    }
+    first_.push_back(first);
+    for (int i = first; i < first + count; ++i) set_joints(i);
+    make_three(first);
+    for (int i = first; i < static_cast<int>(nodes_.size()); ++i) pending_.push_back(i);
+    settle();
+  }
+
+  void set_joints(int i) {
+    Node& node = nodes_[i];
+    const Node &before = nodes_[node.previous], &after = nodes_[node.next];
+    WarpSegment& s = node.segment;
+    s.joint[0] = interior_angle(end_direction(before.segment.curve), start_direction(s.curve));
+    s.joint[1] = interior_angle(end_direction(s.curve), start_direction(after.segment.curve));
+    s.share[0] = before.segment.straight ? kShareBesideLine : kShareBesideWarp;
+    s.share[1] = after.segment.straight ? kShareBesideLine : kShareBesideWarp;
+  }
+
+  // Two segments of one loop must share at most one joint.
+  void make_three(int first) {
+    for (int count = loop_size(first); count < 3; ++count) {
+      int longest = -1;
+      for (int i = first, k = 0; k < count; ++k, i = nodes_[i].next)
+        if (!nodes_[i].segment.straight &&
+            (longest < 0 || polygon_length(i) > polygon_length(longest)))
+          longest = i;
+      if (longest < 0) throw std::runtime_error("a loop of fewer than three straight curves");
+      split(longest);
+    }
+  }
+
+  int loop_size(int first) const {
+    int count = 1;
+    for (int i = nodes_[first].next; i != first; i = nodes_[i].next) ++count;
+    return count;
+  }
+
+  double polygon_length(int i) const {
+    double sum = 0;
+    const auto& p = nodes_[i].segment.curve.poles;
+    for (std::size_t k = 1; k < p.size(); ++k) sum += (p[k] - p[k - 1]).norm();
+    return sum;
+  }
+
+  // Halves segment i: i keeps the first half, the new node takes the second.
+  int split(int i) {
+    const int j = static_cast<int>(nodes_.size());
+    Node second = nodes_[i];
+    Node& left = nodes_[i];
+    if (left.segment.depth >= kMaxDepth)
+      throw std::runtime_error(fmt::format(
+          "curve {}: the boundary comes too close to itself near ({:.6g}, {:.6g}) (normalised)",
+          input_.loops[left.segment.loop][left.segment.source].curve,
+          left.segment.curve.start().x(), left.segment.curve.start().y()));
+    const double middle = 0.5 * (left.segment.s0 + left.segment.s1);
+    left.segment.s1 = second.segment.s0 = middle;
+    for (WarpSegment* s : {&left.segment, &second.segment}) {
+      ++s->depth;
+      s->shrink = 1;
+      s->curve = piece(*s);
+      s->straight = is_straight(s->curve);
+    }
+    left.segment.joint[1] = second.segment.joint[0] = std::numbers::pi;
+    left.segment.share[1] = second.segment.share[0] = kShareBesideWarp;
+    second.previous = i;
+    nodes_[left.next].previous = j;
+    left.next = j;
+    for (Node* node : {&left, &second})
+      node->wished_split = false, node->wished_shrink = 1, node->changed = true;
+    nodes_.push_back(std::move(second));
+    ++report_.splits;
+    return j;
+  }
+
+  // Gives every pending segment its highest apex, halving where the bound fails.
+  void settle() {
+    while (!pending_.empty()) {
+      const int i = pending_.back();
+      pending_.pop_back();
+      WarpSegment& s = nodes_[i].segment;
+      if (s.straight) continue;
+      const bool valid = place_apex(s);
+      if (valid && (s.bound <= bound_ || s.depth >= kBoundDepth)) continue;
+      const int j = split(i);
+      pending_.push_back(i);
+      pending_.push_back(j);
+    }
+  }
+
+  // Lowers the apex by one step, unless it becomes too flat or the bound fails.
+  bool lower(WarpSegment& s) const {
+    if (s.straight) return false;
+    if (std::tan(s.base_angle) * kShrinkStep < std::tan(least_base_angle(s.depth))) return false;
+    WarpSegment lower = s;
+    lower.shrink *= kShrinkStep;
+    if (!place_apex(lower) || lower.bound > std::max(bound_, s.bound)) return false;
+    s = std::move(lower);
+    return true;
+  }
+
+  bool adjacent(int i, int j) const { return nodes_[i].next == j || nodes_[j].next == i; }
+
+  // Hulls that share a joint meet there only if their cones at the joint do; inside the shape the
+  // shares see to that, outside the hulls' reach beyond the tangents must leave room.
+  void test_joint(int i, int j) {
+    if (nodes_[i].next != j) std::swap(i, j);
+    const WarpSegment &in = nodes_[i].segment, &out = nodes_[j].segment;
+    const double room = 2 * std::numbers::pi - in.joint[1];
+    const double reach_in = outward_reach(in, 1), reach_out = outward_reach(out, 0);
+    if (reach_in + reach_out < 0.9 * room) return;
+    nodes_[reach_in > reach_out ? i : j].wished_split = true;
+  }
+
+  bool are_apart(const WarpSegment& a, const std::vector<Point>& hull_a, const WarpSegment& b,
+                 const std::vector<Point>& hull_b) const {
+    const double low = a.straight ? b.height : b.straight ? a.height : std::min(a.height, b.height);
+    return separated(hull_a, hull_b, kMargin * impatience(std::max(a.depth, b.depth)) * low);
+  }
+
+  // Lowers copies of the two in turn, always the higher one, until they are apart or one must be
+  // halved. By height, not length: a long flat neighbour is not in the way of a short one, a high
+  // one is.
+  void test_apart(int i, int j) {
+    if (are_apart(nodes_[i].segment, hulls_[i], nodes_[j].segment, hulls_[j])) return;
+    WarpSegment a = nodes_[i].segment, b = nodes_[j].segment;
+    do {
+      const bool first = b.straight || (!a.straight && a.height >= b.height);
+      if (!lower(first ? a : b)) {
+        nodes_[first ? i : j].wished_split = true;
+        return;
+      }
+    } while (!are_apart(a, hull_of(a), b, hull_of(b)));
+    nodes_[i].wished_shrink = std::min(nodes_[i].wished_shrink, a.shrink);
+    nodes_[j].wished_shrink = std::min(nodes_[j].wished_shrink, b.shrink);
+  }
+
+  // One round: tests all pairs with a changed member, then shrinks and splits. False when at rest.
+  bool resolve_conflicts() {
+    std::vector<int> active;
+    hulls_.resize(nodes_.size());
+    boxes_.resize(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (!nodes_[i].changed) continue;
+      const WarpSegment& s = nodes_[i].segment;
+      hulls_[i] = hull_of(s);
+      boxes_[i].setEmpty();
+      for (const Point& p : hulls_[i]) boxes_[i].extend(p);
+      const double margin = kMargin * impatience(s.depth) * s.height;
+      if (!s.straight) boxes_[i].min().array() -= margin, boxes_[i].max().array() += margin;
+      active.push_back(static_cast<int>(i));
+    }
+    // The pairs' order does not matter: nothing a test reads is changed before all are done.
+    for (const auto& [i, j] : meeting_pairs(boxes_, active)) {
+      if (nodes_[i].segment.straight && nodes_[j].segment.straight) continue;
+      if (adjacent(i, j))
+        test_joint(i, j);
+      else
+        test_apart(i, j);
+    }
+    for (int i : active) nodes_[i].changed = false;
+    return grant_wishes();
+  }
+
+  bool grant_wishes() {
+    bool any = false;
+    const int count = static_cast<int>(nodes_.size());
+    for (int i = 0; i < count; ++i) {
+      Node& node = nodes_[i];
+      const double shrink = std::exchange(node.wished_shrink, 1);
+      if (node.wished_split) {
+        any = true;
+        const int j = split(i);  // invalidates `node`
+        pending_.push_back(i);
+        pending_.push_back(j);
+        settle();
+      } else if (shrink < node.segment.shrink) {
+        any = true;
+        node.segment.shrink = shrink;
+        node.changed = true;
+        place_apex(node.segment);
+      }
+    }
+    return any;
+  }
+
+  void note(const WarpSegment& s) {
+    if (s.straight) return;
+    ++report_.warp_triangles;
+    if (s.bound > bound_)
+      report_.notes.push_back(
+          fmt::format("curve {}: bound {:.3g} instead of {:.3g} beside a joint of {:.3g} degrees",
+                      input_.loops[s.loop][s.source].curve, s.bound, bound_,
+                      std::min(s.joint[0], s.joint[1]) / kDegree));
+  }
+
+  const MeshInput& input_;
+  double bound_;
+  const Thrift& thrift_;
+  MeshReport& report_;
+  std::vector<Node> nodes_;
+  std::vector<int> first_;    // per loop: the node that starts its first curve
+  std::vector<int> pending_;  // segments whose apex is not placed yet
+  std::vector<std::vector<Point>> hulls_;
+  std::vector<Box> boxes_;
+};
+
+}  // namespace
+
+Thrift usual_thrift() {
+  return {17 * kDegree, 3, 0.4, 15 * kDegree, 12 * kDegree};
+}
+
+Thrift strict_thrift() {
+  return {3 * kDegree, 0, 0.3, 3 * kDegree, 3 * kDegree};
+}
+
+std::optional<std::vector<std::vector<WarpSegment>>> build_warp_layer(const MeshInput& input,
+                                                                      double mips_bound,
+                                                                      const Thrift& thrift,
+                                                                      std::size_t limit,
+                                                                      MeshReport& report) {
+  Layer layer(input, mips_bound, thrift, report);
+  if (!layer.build(limit)) return std::nullopt;
+  return layer.collect();
+}
+
+}  // namespace c1mesh::meshing

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "c1mesh/shape.h"
+#include "read/formats.h"
+
+namespace c1mesh {
+namespace detail {
+
+void refuse(DefectKind kind, const std::string& message, const std::string& remedy,
+            std::vector<std::string> curves) {
+  Defect defect;
+  defect.kind = kind;
+  defect.curves = std::move(curves);
+  defect.message = message;
+  defect.remedy = remedy;
+  throw InputError({defect});
+}
+
+}  // namespace detail
+
+namespace {
+
+using detail::refuse;
+
+[[noreturn]] void refuse_size(std::size_t max_bytes) {
+  refuse(DefectKind::limit, fmt::format("the input is larger than {} bytes", max_bytes),
+         "split the drawing or raise the limit");
+}
+
+// Reads in blocks so that an endless stream stops at the limit rather than filling the memory.
+std::string read_all(std::istream& in, std::size_t max_bytes) {
+  std::string text;
+  std::vector<char> block(1 << 16);
+  while (in) {
+    in.read(block.data(), static_cast<std::streamsize>(block.size()));
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() > max_bytes) refuse_size(max_bytes);
+  }
+  return text;
+}
+
+std::string read_file(const std::string& path, std::size_t max_bytes) {
+  if (path == "-") return read_all(std::cin, max_bytes);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw FileError(path + ": is a directory");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw FileError(path + ": cannot be opened: " + std::strerror(errno));
+  std::string text = read_all(in, max_bytes);
+  if (in.bad()) throw FileError(path + ": cannot be read");
+  return text;
+}
+
+enum class Format { json, svg, unknown };
+
+Format format_of(const std::string& text) {
+  // UTF-16 marks: JSON is UTF-8 by definition, so this can only be XML.
+  if (text.compare(0, 2, "\xFF\xFE") == 0 || text.compare(0, 2, "\xFE\xFF") == 0)
+    return Format::svg;
+  const std::size_t mark = text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
+  const std::size_t first = text.find_first_not_of(" \t\r\n", mark);
+  if (first == std::string::npos) return Format::unknown;
+  if (text[first] == '<') return Format::svg;
+  return text[first] == '[' || text[first] == '{' ? Format::json : Format::unknown;
+}
+
+}  // namespace
+
+std::vector<Drawing> read_drawings_from(const std::string& text, const std::string& name,
+                                        const ReadOptions& options) {
+  if (text.size() > options.max_bytes) refuse_size(options.max_bytes);
+  switch (format_of(text)) {
+    case Format::json:
+      return {detail::read_json(text, name, options)};
+    case Format::svg:
+      return detail::read_svg(text, name, options);
+    case Format::unknown:
+      break;
+  }
+  refuse(DefectKind::malformed,
+         text.empty() ? "the input is empty" : "the input is neither JSON nor SVG",
+         "give a JSON list of Bezier curves or an SVG drawing");
+}
+
+std::vector<Drawing> read_drawings(const std::string& path, const ReadOptions& options) {
+  const std::string name = path == "-" ? "stdin" : std::filesystem::path(path).stem().string();
+  return read_drawings_from(read_file(path, options.max_bytes), name, options);
+}
+
+}  // namespace c1mesh

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The image of the boundary is made of simple loops that keep apart. With det J > 0 everywhere and
+// one counter-clockwise loop per piece, degree theory makes the map of each piece injective: every
+// point has as many preimages as the boundary winds around it, and no pre-image counts negative.
+#include <algorithm>
+
+#include "verify/boxes.h"
+#include "verify/checks.h"
+#include "verify/curve_pairs.h"
+
+namespace c1mesh::verification {
+namespace {
+
+struct Findings {
+  Faults crossing;
+  Faults unknown;
+};
+
+void note(Meeting meeting, const std::string& what, Findings& findings) {
+  if (meeting == Meeting::meet) findings.crossing.add(what);
+  if (meeting == Meeting::unknown) findings.unknown.add(what);
+}
+
+std::vector<Point> backward(std::vector<Point> poles) {
+  std::reverse(poles.begin(), poles.end());
+  return poles;
+}
+
+Meeting compare(const BoundaryRow& r, const BoundaryRow& s, int depth) {
+  if (r.a == s.b && r.b == s.a)
+    return curves_meet(r.poles, backward(s.poles), Shared::both_ends, depth);
+  if (r.b == s.a) return curves_meet(backward(r.poles), s.poles, Shared::start, depth);
+  if (r.a == s.b) return curves_meet(r.poles, backward(s.poles), Shared::start, depth);
+  for (const Point& p : {r.poles.front(), r.poles.back()})
+    for (const Point& q : {s.poles.front(), s.poles.back()})
+      if (p == q) return Meeting::meet;
+  return curves_meet(r.poles, s.poles, Shared::none, depth);
+}
+
+void check_pairs(const std::vector<BoundaryRow>& rows, int depth, Findings& findings) {
+  std::vector<Box> boxes;
+  for (const BoundaryRow& row : rows) boxes.push_back(box_of(row.poles));
+  for (const BoundaryRow& row : rows)
+    note(meets_itself(row.poles, depth), fmt::format("edge ({}, {}) meets itself", row.a, row.b),
+         findings);
+  for (const auto& [i, j] : meeting_pairs(boxes))
+    note(
+        compare(rows[i], rows[j], depth),
+        fmt::format("edges ({}, {}) and ({}, {}) meet", rows[i].a, rows[i].b, rows[j].a, rows[j].b),
+        findings);
+}
+
+using LoopCurves = std::vector<std::vector<Point>>;
+
+/// Each piece needs exactly one counter-clockwise loop.
+void check_outer_loops(const Surface& surface, const std::vector<LoopCurves>& loops,
+                       std::vector<int>& outer, Findings& findings) {
+  outer.assign(surface.components, -1);
+  std::vector<int> count(surface.components, 0);
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    const int sign = area_sign(loops[l]);
+    if (sign == 0) findings.unknown.add(fmt::format("the area inside loop {} may be zero", l));
+    if (sign <= 0) continue;
+    ++count[surface.loop_component[l]];
+    outer[surface.loop_component[l]] = static_cast<int>(l);
+  }
+  for (int c = 0; c < surface.components; ++c)
+    if (count[c] != 1)
+      findings.crossing.add(fmt::format("piece {} has {} counter-clockwise loops", c, count[c]));
+}
+
+/// No piece lies inside another: the boundary of each winds zero times around the others.
+void check_pieces_apart(const Surface& surface, const std::vector<LoopCurves>& loops,
+                        const std::vector<int>& outer, int depth, Findings& findings) {
+  std::vector<Box> box;
+  for (const LoopCurves& loop : loops) {
+    std::vector<Point> all;
+    for (const auto& poles : loop) all.insert(all.end(), poles.begin(), poles.end());
+    box.push_back(box_of(all));
+  }
+  for (int c = 0; c < surface.components; ++c)
+    for (int other = 0; other < surface.components; ++other) {
+      if (c == other || outer[c] < 0) continue;
+      const Point q = loops[outer[c]][0][0];
+      int number = 0;
+      for (std::size_t l = 0; l < loops.size(); ++l) {
+        const bool inside = q.x() >= box[l].low[0] && q.x() <= box[l].high[0] &&
+                            q.y() >= box[l].low[1] && q.y() <= box[l].high[1];
+        if (surface.loop_component[l] != other || !inside) continue;
+        const Winding winding = winding_around(loops[l], q, depth);
+        if (!winding.known)
+          findings.unknown.add(fmt::format("piece {} may lie in piece {}", c, other));
+        number += winding.number;
+      }
+      if (number != 0) findings.crossing.add(fmt::format("piece {} lies in piece {}", c, other));
+    }
+}
+
+}  // namespace
+
+VerifyItem check_boundary_simple(const Subject& subject) {
+  const std::string name = "boundary simple";
+  const Surface& surface = subject.surface;
+  const int depth = subject.options.max_subdivision;
+  Findings findings;
+  std::vector<BoundaryRow> rows;
+  std::vector<LoopCurves> loops;
+  for (const auto& loop : surface.loops) {
+    LoopCurves curves;
+    for (BoundaryRow& row : rows_of(subject, loop)) {
+      curves.push_back(row.poles);
+      rows.push_back(std::move(row));
+    }
+    if (curves.empty()) return {name, Verdict::undecided, "the mesh has no closed boundary"};
+    loops.push_back(std::move(curves));
+  }
+  check_pairs(rows, depth, findings);
+  std::vector<int> outer;
+  check_outer_loops(surface, loops, outer, findings);
+  if (findings.crossing.count() == 0) check_pieces_apart(surface, loops, outer, depth, findings);
+  if (findings.crossing.count() > 0) return findings.crossing.item(name, "");
+  if (findings.unknown.count() > 0)
+    return {name, Verdict::undecided,
+            "not proven that these keep apart: " + findings.unknown.text()};
+  return {name, Verdict::valid, fmt::format("{} edges meet only at their ends", rows.size())};
+}
+
+}  // namespace c1mesh::verification

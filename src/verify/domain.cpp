@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The domain: triangles oriented, fans wound once, and whether pieces of it overlap in the plane.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "verify/boxes.h"
+#include "verify/checks.h"
+#include "verify/curve_pairs.h"
+#include "verify/exact.h"
+
+namespace c1mesh::verification {
+namespace {
+
+double angle_at(const Result& result, int t, int v) {
+  const auto& corner = result.triangles[t];
+  const int k = static_cast<int>(std::find(corner.begin(), corner.end(), v) - corner.begin());
+  const Point& p = result.domain_vertices[v];
+  const Point a = result.domain_vertices[corner[(k + 1) % 3]] - p;
+  const Point b = result.domain_vertices[corner[(k + 2) % 3]] - p;
+  return std::atan2(cross(a, b), a.dot(b));
+}
+
+/// Interior vertices whose triangles do not go around exactly once. In a closed fan of positive
+/// triangles the angles sum to a multiple of 2 pi, so rounding errors cannot blur the count.
+std::vector<int> vertices_wound_wrongly(const Subject& subject) {
+  std::vector<int> wrong;
+  const Surface& surface = subject.surface;
+  for (int v = 0; v < static_cast<int>(surface.vertex_triangles.size()); ++v) {
+    if (surface.on_boundary[v] || surface.vertex_triangles[v].empty()) continue;
+    double sum = 0;
+    for (const int t : surface.vertex_triangles[v]) sum += angle_at(subject.result, t, v);
+    if (std::lround(sum / (2 * std::numbers::pi)) != 1) wrong.push_back(v);
+  }
+  return wrong;
+}
+
+struct Segment {
+  int a, b;
+};
+
+bool overlap(const Result& result, const Segment& s, const Segment& r) {
+  const auto at = [&](int v) -> const Point& { return result.domain_vertices[v]; };
+  if (s.a == r.b && s.b == r.a) return true;
+  if (s.b == r.a) return spokes_overlap(at(s.b), at(s.a), at(r.b));
+  if (s.a == r.b) return spokes_overlap(at(s.a), at(s.b), at(r.a));
+  return segments_meet(at(s.a), at(s.b), at(r.a), at(r.b));
+}
+
+bool boundary_meets_itself(const Subject& subject) {
+  const Result& result = subject.result;
+  std::vector<Segment> segments;
+  std::vector<Box> boxes;
+  for (const auto& loop : subject.surface.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      segments.push_back({loop[i], loop[(i + 1) % loop.size()]});
+      boxes.push_back(box_of(
+          {result.domain_vertices[segments.back().a], result.domain_vertices[segments.back().b]}));
+    }
+  for (const auto& [i, j] : meeting_pairs(boxes))
+    if (overlap(result, segments[i], segments[j])) return true;
+  return false;
+}
+
+/// Boundaries that do not meet: does one piece lie inside another, or wind more than once?
+bool pieces_overlap(const Subject& subject) {
+  const Surface& surface = subject.surface;
+  std::vector<std::vector<std::vector<Point>>> loops;
+  std::vector<int> counter_clockwise(surface.components, 0);
+  for (std::size_t l = 0; l < surface.loops.size(); ++l) {
+    const auto& loop = surface.loops[l];
+    loops.emplace_back();
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      loops.back().push_back({subject.result.domain_vertices[loop[i]],
+                              subject.result.domain_vertices[loop[(i + 1) % loop.size()]]});
+    if (area_sign(loops.back()) > 0) ++counter_clockwise[surface.loop_component[l]];
+  }
+  for (const int count : counter_clockwise)
+    if (count != 1) return true;
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    for (int other = 0; other < surface.components; ++other) {
+      if (surface.loop_component[l] == other) continue;
+      int number = 0;
+      for (std::size_t m = 0; m < loops.size(); ++m)
+        if (surface.loop_component[m] == other)
+          number +=
+              winding_around(loops[m], loops[l][0][0], subject.options.max_subdivision).number;
+      if (number != 0) return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+VerifyItem check_domain_orientation(const Subject& subject) {
+  std::vector<int> wrong;
+  for (int t = 0; t < static_cast<int>(subject.result.triangles.size()); ++t) {
+    const auto& v = subject.result.triangles[t];
+    const auto at = [&](int k) -> const Point& { return subject.result.domain_vertices[v[k]]; };
+    if (orientation(at(0), at(1), at(2)) <= 0) wrong.push_back(t);
+  }
+  if (wrong.empty())
+    return {"domain orientation", Verdict::valid,
+            "every domain triangle is counter-clockwise, exactly"};
+  return {"domain orientation", Verdict::invalid,
+          fmt::format("{} triangles are not counter-clockwise: {}", wrong.size(), id_text(wrong))};
+}
+
+VerifyItem check_winding(const Subject& subject) {
+  const std::vector<int> wrong = vertices_wound_wrongly(subject);
+  if (wrong.empty()) return {"winding", Verdict::valid, "every interior vertex is wound once"};
+  return {"winding", Verdict::invalid,
+          fmt::format("{} interior vertices are not wound once: {}", wrong.size(), id_text(wrong))};
+}
+
+bool domain_overlaps(const Subject& subject) {
+  return !vertices_wound_wrongly(subject).empty() || boundary_meets_itself(subject) ||
+         pieces_overlap(subject);
+}
+
+}  // namespace c1mesh::verification

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "c1mesh/verify.h"
+
+#include "verify/checks.h"
+
+namespace c1mesh {
+namespace {
+
+using verification::Subject;
+
+/// Larger side of the bounding box of the curves' poles, of the control points if there are none.
+double extent_of(const Result& result) {
+  std::vector<Point> points;
+  for (const BezierCurve& curve : result.curves)
+    points.insert(points.end(), curve.poles.begin(), curve.poles.end());
+  if (points.empty()) points = result.control_points;
+  Point low = points[0], high = low;
+  for (const Point& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double side = (high - low).maxCoeff();
+  return side > 0 ? side : 1;
+}
+
+VerifyReport run(const Result& result, const Shape* input, const VerifyOptions& options) {
+  VerifyReport report;
+  report.items.push_back(verification::check_structure(result));
+  if (report.items[0].verdict != Verdict::valid) return report;  // nothing else may be looked up
+
+  const Subject subject{result, options, verification::surface_of(result), extent_of(result)};
+  Metrics& metrics = report.metrics;
+  metrics.triangles = static_cast<int>(result.triangles.size());
+  report.items.push_back(verification::check_topology(subject));
+  report.items.push_back(verification::check_coverage(subject));
+  if (input) report.items.push_back(verification::check_input_curves(subject, *input));
+  report.items.push_back(verification::check_conformance(subject, metrics));
+  report.items.push_back(verification::check_boundary_simple(subject));
+  report.items.push_back(verification::check_domain_orientation(subject));
+  report.items.push_back(verification::check_winding(subject));
+  report.items.push_back(verification::check_regularity(subject));
+  report.items.push_back(verification::check_c1(subject, metrics));
+  report.items.push_back(verification::check_boundary_vertices(subject));
+  report.items.push_back(verification::check_exceptional(subject, metrics));
+  verification::measure_distortion(subject, metrics);
+  verification::measure_gradients(subject, metrics);
+  verification::measure_flatness(subject, metrics);
+  metrics.domain_overlaps = verification::domain_overlaps(subject);
+  return report;
+}
+
+}  // namespace
+
+VerifyReport verify(const Result& result, const VerifyOptions& options) {
+  return run(result, nullptr, options);
+}
+
+VerifyReport verify(const Result& result, const Shape& input, const VerifyOptions& options) {
+  return run(result, &input, options);
+}
+
+}  // namespace c1mesh

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Small pieces of SVG: a panel's coordinates, paths of Bezier curves, colours, text.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "c1mesh/types.h"
+
+namespace c1mesh {
+
+/// Where a plane lands on the page: fitted into a rectangle, centred, y turned downward.
+class Panel {
+ public:
+  /// Fits the box low..high into (left, top, width, height), all in pixels.
+  Panel(const Point& low, const Point& high, double left, double top, double width, double height);
+  Point place(const Point& p) const;
+
+ private:
+  Point centre_, middle_;
+  double scale_;
+};
+
+/// The data of an SVG path, in pixels with three decimals.
+class PathData {
+ public:
+  explicit PathData(const Panel& panel) : panel_(panel) {}
+  void move(const Point& p);
+  void line(const Point& p);
+  /// Continues from the current point along a Bezier curve of any degree: exactly up to degree 3,
+  /// above that as four cubics with the curve's points and derivatives at their ends.
+  void curve(const std::vector<Point>& poles);
+  void close() { text_ += "Z"; }
+  bool empty() const { return text_.empty(); }
+  const std::string& text() const { return text_; }
+
+ private:
+  void cubic(const Point& b, const Point& c, const Point& d);
+
+  const Panel& panel_;
+  std::string text_;
+};
+
+/// `<path class="…" d="…"/>`, nothing for an empty path.
+std::string path_element(const std::string& css_class, const PathData& data);
+
+/// `#rrggbb` of the scale from near white (0) over blue, green and yellow to dark red (1).
+std::string scale_colour(double share);
+
+/// Text for XML content and attributes: markup escaped, control characters dropped.
+std::string escaped(const std::string& text);
+
+}  // namespace c1mesh

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program from an input file to verified results.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "c1mesh/result.h"
+#include "c1mesh/verify.h"
+#include "program.h"
+
+namespace c1mesh {
+namespace {
+
+using testing_app::Folder;
+using testing_app::Ran;
+
+std::string example(const std::string& name) {
+  return C1MESH_EXAMPLES "/" + name;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+class Examples : public testing::TestWithParam<const char*> {};
+
+TEST_P(Examples, AreDoneWithoutExceptionalVerticesBeyondTheMinimum) {
+  const Folder folder;
+  const std::string name = GetParam();
+  const Ran ran = folder.run("run -o out " + example(name + ".svg"));
+  ASSERT_TRUE(ran.status == 0 || ran.status == 4) << ran.err;
+  EXPECT_EQ(folder.files("out"), (std::vector<std::string>{name + ".c1.json", name + ".svg"}));
+  EXPECT_EQ(folder.run("verify out/" + name + ".c1.json --input " + example(name + ".svg")).status,
+            0);
+  const Result result = parse_result(folder.read("out/" + name + ".c1.json"), name);
+  const Metrics measured = verify(result).metrics;
+  EXPECT_EQ(measured.conformance_max, 0);
+  EXPECT_LT(measured.d_ei.max, 1e-11);
+  EXPECT_GT(measured.mips_bound_max, 2 - 1e-9);
+  EXPECT_EQ(measured.surplus, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Examples,
+                         testing::Values("blob", "puzzle", "annulus", "spiral", "letter",
+                                         "clipart"));
+
+// Four convex corners over a quadrilateral: no exceptional vertex is needed (the paper's fig. 13).
+TEST(Pipeline, PuzzlePieceHasNoExceptionalVertex) {
+  const Folder folder;
+  const Ran ran = folder.run("run -o out " + example("puzzle.svg"));
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const auto json = nlohmann::json::parse(folder.read("out/puzzle.c1.json"));
+  EXPECT_TRUE(json["exceptional_vertices"].empty());
+}
+
+TEST(Pipeline, BytesDoNotDependOnTheNumberOfThreads) {
+  const Folder folder;
+  ASSERT_EQ(folder.run("run -o one --threads 1 " + example("blob.svg")).status,
+            folder.run("run -o two --threads 4 " + example("blob.svg")).status);
+  auto one = nlohmann::json::parse(folder.read("one/blob.c1.json"));
+  auto two = nlohmann::json::parse(folder.read("two/blob.c1.json"));
+  for (auto* json : {&one, &two}) {
+    (*json)["metrics"].erase("seconds");
+    (*json)["parameters"].erase("threads");
+  }
+  EXPECT_EQ(one.dump(), two.dump());
+}
+
+TEST(Pipeline, EqualNamesDoNotOverwriteEachOther) {
+  const Folder folder;
+  ASSERT_EQ(folder.run("generate --set A --count 1 --formats json,svg -o in").status, 0);
+  const Ran ran = folder.run("run in/A-0001.json in/A-0001.svg -o out --formats json");
+  EXPECT_TRUE(ran.status == 0 || ran.status == 4) << ran.err;
+  EXPECT_EQ(folder.files("out"), (std::vector<std::string>{"A-0001-2.c1.json", "A-0001.c1.json"}));
+  EXPECT_TRUE(contains(ran.err, "A-0001-2")) << ran.err;
+}
+
+TEST(Pipeline, OneBadInputDoesNotStopTheOthersAndDecidesTheStatus) {
+  const Folder folder;
+  folder.write("bad.json", "[]");
+  const Ran ran = folder.run("run bad.json " + example("blob.svg") + " -o out");
+  EXPECT_EQ(ran.status, 3);
+  EXPECT_EQ(folder.files("out"), (std::vector<std::string>{"blob.c1.json", "blob.svg"}));
+}
+
+// g = |J|^2 / det J is at least 2 everywhere, so alpha * mips-bound = 2 can hold for similarities
+// only, and three exceptional vertices over a smooth boundary leave none.
+TEST(Pipeline, AMissedBoundIsStatusFour) {
+  const Folder folder;
+  const Ran ran = folder.run("run --alpha 1 --mips-bound 2 -o out " + example("blob.svg"));
+  EXPECT_EQ(ran.status, 4) << ran.err;
+  EXPECT_TRUE(contains(ran.err, "exceeds")) << ran.err;
+  EXPECT_EQ(folder.files("out"), (std::vector<std::string>{"blob.c1.json", "blob.svg"}));
+}
+
+TEST(Pipeline, AllFormatsAndConversionsAgree) {
+  const Folder folder;
+  ASSERT_EQ(folder.run("run --formats svg,vtu -o out " + example("blob.svg")).status, 0);
+  EXPECT_EQ(folder.files("out"),
+            (std::vector<std::string>{"blob.c1.json", "blob.domain.vtu", "blob.svg", "blob.vtu"}));
+  ASSERT_EQ(folder.run("convert out/blob.c1.json -o again.vtu").status, 0);
+  EXPECT_EQ(folder.read("again.vtu"), folder.read("out/blob.vtu"));
+  const Ran drawn = folder.run("draw out/blob.c1.json -o -");
+  EXPECT_EQ(drawn.status, 0);
+  EXPECT_EQ(drawn.out, folder.read("out/blob.svg"));
+}
+
+TEST(Pipeline, StandardOutputCarriesTheResultAlone) {
+  const Folder folder;
+  const Ran ran = folder.run("run -o - " + example("blob.svg"));
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(parse_result(ran.out, "blob").name, "blob");
+  EXPECT_TRUE(folder.files().empty());
+}
+
+// One moved control point breaks C1 or conformance: verify must see it.
+TEST(Pipeline, VerifySeesAMovedControlPoint) {
+  const Folder folder;
+  ASSERT_EQ(folder.run("run -o out " + example("blob.svg")).status, 0);
+  auto json = nlohmann::json::parse(folder.read("out/blob.c1.json"));
+  json["control_points"][0][0] = json["control_points"][0][0].get<double>() + 1e-3;
+  folder.write("moved.c1.json", json.dump());
+  EXPECT_EQ(folder.run("verify moved.c1.json").status, 4);
+  folder.write("cut.c1.json", json.dump().substr(0, 1000));
+  EXPECT_EQ(folder.run("verify cut.c1.json").status, 3);
+}
+
+TEST(Pipeline, ASignalEndsWithStatusFiveAndWritesNothing) {
+  const Folder folder;
+  ASSERT_EQ(folder.run("generate --set C --count 40 -o in").status, 0);
+  const Ran ran = folder.run("run in/*.json -o out & pid=$!; sleep 0.3; kill -INT $pid; wait $pid");
+  // The shell starts background jobs with SIGINT ignored, unless the program installs a handler.
+  EXPECT_EQ(ran.status, 5) << ran.err;
+  for (const std::string& file : folder.files("out"))
+    EXPECT_TRUE(file.ends_with(".c1.json") || file.ends_with(".svg")) << file;
+}
+
+TEST(Pipeline, ATinyTimeLimitIsStatusFive) {
+  const Folder folder;
+  EXPECT_EQ(folder.run("run --time-limit 1e-9 -o out " + example("spiral.svg")).status, 5);
+}
+
+}  // namespace
+}  // namespace c1mesh

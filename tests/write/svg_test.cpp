@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "c1mesh/error.h"
+#include "c1mesh/write.h"
+#include "result/example_results.h"
+
+namespace c1mesh {
+namespace {
+
+/// All points of a path's data, pairs of numbers whatever the commands are.
+std::vector<Point> path_points(std::string data) {
+  for (char& c : data)
+    if (c == ',' || std::isalpha(static_cast<unsigned char>(c))) c = ' ';
+  std::istringstream in(data);
+  std::vector<Point> out;
+  for (double x, y; in >> x >> y;) out.emplace_back(x, y);
+  return out;
+}
+
+std::string path_of(const pugi::xml_document& doc, const std::string& group,
+                    const std::string& css) {
+  const std::string query = "//g[@id='" + group + "']/path[@class='" + css + "']";
+  return doc.select_node(query.c_str()).node().attribute("d").value();
+}
+
+pugi::xml_document parsed(const std::string& svg) {
+  pugi::xml_document doc;
+  EXPECT_TRUE(doc.load_string(svg.c_str()));
+  return doc;
+}
+
+TEST(Svg, IsWellFormedWithEveryOption) {
+  Result result = example::grid(2, 5, example::cubic_map());
+  result.name = "a <b> & \"c\"\x01";
+  result.exceptional_vertices = {0, 4};
+  result.relaxed_edges = {{4, 5}};
+  for (const Colour colour : {Colour::none, Colour::distortion, Colour::c1_deviation}) {
+    DrawOptions options;
+    options.colour = colour;
+    options.show_control_net = true;
+    const auto doc = parsed(draw_svg(result, options));
+    EXPECT_STREQ(doc.child("svg").child("title").text().get(), "a <b> & \"c\"");
+    EXPECT_TRUE(doc.child("svg").attribute("viewBox"));
+    EXPECT_EQ(doc.select_nodes("//circle").size(), 4u);  // two vertices in two panels
+    EXPECT_EQ(doc.select_nodes("//g[@id='legend']").size(), colour == Colour::none ? 0u : 1u);
+    EXPECT_FALSE(path_of(doc, "shape", "net").empty());
+    EXPECT_FALSE(path_of(doc, "domain", "relaxed").empty());
+  }
+}
+
+TEST(Svg, LeavesOutWhatIsNotAskedFor) {
+  DrawOptions options;
+  options.grid_lines = 0;
+  options.show_mesh = false;
+  const auto doc = parsed(draw_svg(example::grid(2, 3, example::identity()), options));
+  for (const char* css : {"u", "v", "mesh", "net"}) EXPECT_TRUE(path_of(doc, "shape", css).empty());
+  EXPECT_FALSE(path_of(doc, "shape", "boundary").empty());
+}
+
+// An affine map of the square: the image of the grid line u = c is the segment between the images
+// of (c, 0) and (c, 1), so every point of the path lies on it. The page is a similarity of the
+// plane, found from the boundary's corners.
+TEST(Svg, GridOfAnAffineMapLiesOnItsClosedForm) {
+  const example::Polynomial affine{
+      {0, 0, Point(5, -2)}, {1, 0, Point(2, 1)}, {0, 1, Point(-0.5, 1)}};
+  for (const int degree : {3, 4}) {
+    DrawOptions options;
+    options.grid_lines = 5;
+    const Result result = example::grid(4, degree, affine);
+    const auto doc = parsed(draw_svg(result, options));
+    // The bounding box of the image is [4.5, 7] x [-2, 0]; the panel is (1200 - 3*28) / 2 wide.
+    const double scale = (1200 - 3 * 28) / 2.0 / 2.5;
+    const std::vector<Point> boundary = path_points(path_of(doc, "shape", "boundary"));
+    double left = 1e9, bottom = -1e9;
+    for (const Point& p : boundary) {
+      left = std::min(left, p.x());
+      bottom = std::max(bottom, p.y());
+    }
+    EXPECT_NEAR(left, 28, 1e-2);
+    for (const int axis : {0, 1}) {
+      const std::vector<Point> points = path_points(path_of(doc, "shape", axis == 0 ? "u" : "v"));
+      ASSERT_GT(points.size(), 10u);
+      for (const Point& page : points) {
+        const Point p(4.5 + (page.x() - left) / scale, -2 - (page.y() - bottom) / scale);
+        // Inverse of [2 -0.5; 1 1], determinant 2.5.
+        const Point d = p - Point(5, -2);
+        const Point uv((d.x() + 0.5 * d.y()) / 2.5, (2 * d.y() - d.x()) / 2.5);
+        const double line = uv[axis] * 5 - 0.5;  // lines at 0.1, 0.3, 0.5, 0.7, 0.9
+        EXPECT_NEAR(line, std::round(line), 1e-4);
+        EXPECT_GT(uv[1 - axis], -1e-4);
+        EXPECT_LT(uv[1 - axis], 1 + 1e-4);
+      }
+    }
+  }
+}
+
+TEST(Svg, CubicEdgesAreExactPaths) {
+  // The boundary's path holds the control points themselves: M p0 C p1 p2 p3.
+  const auto doc = parsed(draw_svg(example::square(3, example::cubic_map())));
+  const std::string data = path_of(doc, "shape", "boundary");
+  EXPECT_EQ(std::count(data.begin(), data.end(), 'M'), 4);
+  EXPECT_EQ(std::count(data.begin(), data.end(), 'C'), 4);
+  EXPECT_EQ(path_points(data).size(), 16u);
+}
+
+TEST(Svg, SameResultSameBytes) {
+  const Result result = example::grid(3, 3, example::cubic_map());
+  EXPECT_EQ(draw_svg(result), draw_svg(result));
+}
+
+TEST(Convert, GoesByExtension) {
+  const Result result = example::square();
+  EXPECT_EQ(convert(result, "a/b.vtu"), format_vtu(result, false));
+  EXPECT_EQ(convert(result, "a/b.domain.vtu"), format_vtu(result, true));
+  EXPECT_EQ(convert(result, "b.svg"), draw_svg(result));
+  EXPECT_EQ(convert(result, "b.c1.json"), format_result(result));
+  for (const char* path : {"b.msh", "b", "svg", "b.svg.gz"})
+    EXPECT_THROW(convert(result, path), InputError);
+}
+
+}  // namespace
+}  // namespace c1mesh
