@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Result -> text of docs/format.md: one item of each list per line, keys in the document's order.
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -32,7 +34,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::string item(const Point& p) {
-  return "[" + number(p.x()) + "," + number(p.y()) + "]";
+  return fmt::format("[{},{}]", number(p.x()), number(p.y()));
 }
 
 template <class Ids>
@@ -57,17 +59,17 @@ std::string item(const std::vector<int>& net) {
 
 std::string item(const BezierCurve& curve) {
   std::string out = "{\"poles\":[";
-  for (std::size_t i = 0; i < curve.poles.size(); ++i) out += (i ? "," : "") + item(curve.poles[i]);
+  for (std::size_t i = 0; i < curve.poles.size(); ++i)
+    out += fmt::format("{}{}", i ? "," : "", item(curve.poles[i]));
   return out + "]}";
 }
 
 std::string item(const CurveEdge& e) {
-  return "[" + std::to_string(e.a) + "," + std::to_string(e.b) + "," + std::to_string(e.curve) +
-         "," + number(e.t0) + "," + number(e.t1) + "]";
+  return fmt::format("[{},{},{},{},{}]", e.a, e.b, e.curve, number(e.t0), number(e.t1));
 }
 
 std::string item(const BoundaryVertex& v) {
-  return "[" + std::to_string(v.vertex) + "," + (v.corner ? "\"corner\"" : "\"smooth\"") + "]";
+  return fmt::format("[{},\"{}\"]", v.vertex, v.corner ? "corner" : "smooth");
 }
 
 template <class List>
@@ -91,20 +93,21 @@ std::string text_of(const Parameters& parameters) {
   std::string out = "{";
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     out += i ? ",\n" : "\n";
-    out += quoted(parameters[i].first) + ":" + std::visit(ParameterText{}, parameters[i].second);
+    out += fmt::format("{}:{}", quoted(parameters[i].first),
+                       std::visit(ParameterText{}, parameters[i].second));
   }
   return out + "}";
 }
 
 std::string text_of(const Spread& s) {
-  return "{\"median\":" + number(s.median) + ",\"p99\":" + number(s.p99) +
-         ",\"max\":" + number(s.max) + "}";
+  return fmt::format("{{\"median\":{},\"p99\":{},\"max\":{}}}", number(s.median), number(s.p99),
+                     number(s.max));
 }
 
 std::string text_of(const Metrics& m) {
   std::string out = "{\n\"d_ei\":" + text_of(m.d_ei);
   const auto add = [&](const char* key, const std::string& value) {
-    out += std::string(",\n\"") + key + "\":" + value;
+    out += fmt::format(",\n\"{}\":{}", key, value);
   };
   add("gradient_angle_deg", text_of(m.gradient_angle_deg));
   add("gradient_magnitude", text_of(m.gradient_magnitude));
@@ -120,7 +123,8 @@ std::string text_of(const Metrics& m) {
   add("triangles", std::to_string(m.triangles));
   std::string seconds = "{";
   for (std::size_t i = 0; i < m.seconds.size(); ++i)
-    seconds += (i ? "," : "") + quoted(m.seconds[i].first) + ":" + number(m.seconds[i].second);
+    seconds += fmt::format("{}{}:{}", i ? "," : "", quoted(m.seconds[i].first),
+                           number(m.seconds[i].second));
   add("seconds", seconds + "}");
   return out + "}";
 }
