@@ -8,7 +8,7 @@
 namespace c1mesh {
 
 struct Options {
-  double alpha = 10;           ///< g(t) <= alpha * mips_bound is asked of every triangle (eq. 4.5)
+  double alpha = 100;          ///< g(t) <= alpha * mips_bound is asked of every triangle (eq. 4.5)
   double mips_bound = 10;      ///< mu, the MIPS bound of the initial triangulation
   int degree = 3;              ///< at least 3; raised to the input's highest degree
   int exceptional = -1;        ///< how many exceptional vertices are allowed; -1: fewest within alpha

@@ -17,6 +17,8 @@ struct Outcome {
   bool within_bounds = false;          ///< all that was asked holds (exit status 0, else 4)
   bool time_limit_hit = false;         ///< the best state so far was taken (exit status 5)
   std::vector<std::string> remedies;   ///< what the run had to give up or try, in order
+  /// By stage; not part of the result, whose bytes must not depend on the clock.
+  std::vector<std::pair<std::string, double>> seconds;
 };
 
 /// Computes the map of every region of `shape`, verified. Throws Interrupted if `progress` says so

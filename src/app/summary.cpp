@@ -10,10 +10,10 @@ std::string row(const std::string& label, const std::string& value) {
   return fmt::format("\n  {:<22}{}", label, printable(value));
 }
 
-std::string seconds_by_stage(const Metrics& metrics) {
+std::string seconds_by_stage(const Outcome& outcome) {
   std::string out;
   double total = 0;
-  for (const auto& [stage, seconds] : metrics.seconds) {
+  for (const auto& [stage, seconds] : outcome.seconds) {
     if (stage == "total") continue;
     out += fmt::format("{}{} {:.2f}", out.empty() ? "" : ", ", stage, seconds);
     total += seconds;
@@ -95,7 +95,7 @@ std::string summary(const Console& console, const Outcome& outcome, const Option
   out += row("least det coefficient", fmt::format("{:.2e}", m.min_det_coefficient));
   out += row("flatness ratio", fmt::format("{:.4g}", m.flatness_ratio));
   if (m.domain_overlaps) out += row("domain", "overlaps itself in the plane");
-  out += row("seconds", seconds_by_stage(m));
+  out += row("seconds", seconds_by_stage(outcome));
   out += row("remedies", joined(outcome.remedies, "; ", "none"));
   if (!files.empty()) out += row("files", joined(files, ", ", ""));
   return out + verdict_row(console, outcome, options);

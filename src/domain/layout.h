@@ -22,9 +22,9 @@ enum class Role {
 /// roles[loop][position], aligned with Joints.
 using Roles = std::vector<std::vector<Role>>;
 
-/// The roles that keep everything C1: corners and distinctly mild joints (|kappa| above
+/// The roles that keep everything C1: corners and distinctly turning joints (|kappa| above
 /// `bent_limit`) are anchors, slighter ones bent, the rest flat.
-Roles natural_roles(const Joints& joints, double bent_limit = 1e-4);
+Roles natural_roles(const Joints& joints, double bent_limit = 1e-2);
 
 /// The rows of two auxiliary points at a mild joint v: v + e0 and v + w, with e0 the incoming domain
 /// edge and w the vector of e1 = r e0 + kappa w. Over them the joint's gradient is well conditioned

@@ -284,13 +284,15 @@ class Refiner {
   // An unconstrained edge between two boundary vertices would have to be split later (see guard.h):
   // better now, while Delaunay flips can make the most of the new vertex. False if there was none.
   bool separate_boundary() {
+    // By faces: the library's edge iterator goes by addresses, which differ from run to run. Each
+    // edge is met from both sides; the second time it is gone.
     std::vector<std::pair<Vertex, Vertex>> joining;
-    for (auto e = cdt_.finite_edges_begin(); e != cdt_.finite_edges_end(); ++e) {
-      const Face f = e->first;
-      const Vertex a = f->vertex(ccw(e->second)), b = f->vertex(cw(e->second));
-      if (!f->is_constrained(e->second) && f->info().in_domain && on_boundary(a) && on_boundary(b))
-        joining.emplace_back(a, b);
-    }
+    for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end(); ++f)
+      for (int k = 0; k < 3; ++k) {
+        const Vertex a = f->vertex(ccw(k)), b = f->vertex(cw(k));
+        if (f->info().in_domain && !f->is_constrained(k) && on_boundary(a) && on_boundary(b))
+          joining.emplace_back(a, b);
+      }
     bool any = false;
     for (const auto& [a, b] : joining) {
       Face f;

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimise/attempt.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace c1mesh {
+namespace {
+
+void finish(const CurvedMesh& mesh, const DomainLayout& layout, const MapState& state,
+            const ExactReport& exact, Attempt& out) {
+  out.success = exact.success;
+  out.trouble = exact.trouble;
+  out.domain = (layout.exact * state.unknowns).topRows(mesh.vertex_count());
+  out.control.assign(state.control.begin(),
+                     state.control.begin() + static_cast<std::ptrdiff_t>(mesh.control.size()));
+  if (!out.success) return;
+  const std::vector<double> g = distortion_bounds(mesh, out.domain, out.control);
+  const auto worst = std::max_element(g.begin(), g.end());
+  out.g = *worst;
+  for (int v : mesh.triangles[worst - g.begin()]) out.trouble.push_back(v);
+}
+
+}  // namespace
+
+Attempt attempt_region(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
+                       const AttemptOptions& options, const Checkpoint& checkpoint) {
+  Attempt out;
+  out.roles = roles;
+  DomainReport report;
+  const DomainState domain =
+      solve_domain(mesh, joints, roles, options.domain, report, checkpoint);
+  out.domain_valid = report.valid;
+  out.crossings = report.crossings;
+  out.energy = report.energy;
+  out.trouble = report.inverted;
+  if (!report.valid) return out;
+
+  MapState state{domain.unknowns, mesh.control};
+  std::vector<C1Edge> asked = asked_edges(mesh, joints, roles);
+  const std::vector<C1Edge> more = joint_equations(mesh, joints, domain.layout, state.control);
+  asked.insert(asked.end(), more.begin(), more.end());
+  const DomainElements elements =
+      domain_elements(mesh, joints, roles, domain.layout, options.domain.weights);
+  optimise_jointly(mesh, domain.layout, asked, elements, options.joint, state, checkpoint);
+  const ExactReport exact =
+      make_exact(mesh, domain.layout, asked, options.exact, state, checkpoint);
+  finish(mesh, domain.layout, state, exact, out);
+  out.crossings = boundary_crossings(mesh, out.domain);
+  return out;
+}
+
+Attempt attempt_on_initial_domain(const CurvedMesh& mesh, const Joints& joints,
+                                  const ExactOptions& options, const Checkpoint& checkpoint) {
+  Attempt out;
+  out.domain_valid = true;
+  for (const auto& loop : joints) out.roles.emplace_back(loop.size(), Role::exceptional);
+  const DomainLayout layout = make_layout(mesh, joints, out.roles);
+  MapState state{PointMatrix(mesh.vertex_count(), 2), mesh.control};
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    state.unknowns.row(layout.unknown_of_row[v]) = mesh.domain[v].transpose();
+  const ExactReport exact = make_exact(mesh, layout, asked_edges(mesh, joints, out.roles), options,
+                                       state, checkpoint);
+  finish(mesh, layout, state, exact, out);
+  return out;
+}
+
+}  // namespace c1mesh

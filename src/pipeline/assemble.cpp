@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/assemble.h"
+
+#include <algorithm>
+
+#include "bernstein/curve.h"
+#include "c1mesh/version.h"
+
+namespace c1mesh {
+
+namespace {
+
+// Where one region's ids start in the result.
+struct Offset {
+  int vertex, control;
+};
+
+void add_boundary(const Shape& shape, const RegionSolution& region, const Offset& at,
+                  Result& result) {
+  const auto control = boundary_control(region.mesh);
+  for (std::size_t l = 0; l < region.mesh.loops.size(); ++l)
+    for (std::size_t k = 0; k < region.mesh.loops[l].size(); ++k) {
+      const BoundaryEdge& e = region.mesh.loops[l][k];
+      result.boundary_edges.push_back(
+          {e.a + at.vertex, e.b + at.vertex, e.curve, e.t0, e.t1});
+      const BezierCurve exact =
+          restrict_exactly(shape.curves[e.curve], e.t0, e.t1, result.degree);
+      for (int i = 0; i <= result.degree; ++i)
+        result.control_points[control[l][k][i] + at.control] = exact.poles[i];
+      result.boundary_vertices.push_back(
+          {region.joints[l][k].vertex + at.vertex,
+           region.joints[l][k].kind == JointKind::corner});
+    }
+}
+
+void add_region(const Shape& shape, const RegionSolution& region, Result& result) {
+  const Offset at{static_cast<int>(result.domain_vertices.size()),
+                  static_cast<int>(result.control_points.size())};
+  const CurvedMesh& mesh = region.mesh;
+  result.domain_vertices.insert(result.domain_vertices.end(), mesh.domain.begin(),
+                                mesh.domain.end());
+  for (const Point& p : mesh.control) result.control_points.push_back(shape.frame.restore(p));
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    std::array<int, 3> corners = mesh.triangles[t];
+    for (int& v : corners) v += at.vertex;
+    result.triangles.push_back(corners);
+    std::vector<int> net(mesh.nets.begin() + t * mesh.net_size(),
+                         mesh.nets.begin() + (t + 1) * mesh.net_size());
+    for (int& id : net) id += at.control;
+    result.triangle_control_points.push_back(std::move(net));
+  }
+  add_boundary(shape, region, at, result);
+  for (int v : region.exceptional) result.exceptional_vertices.push_back(v + at.vertex);
+  for (const auto& e : region.relaxed)
+    result.relaxed_edges.push_back({e[0] + at.vertex, e[1] + at.vertex});
+}
+
+// Moves each region's domain so that regions lie side by side instead of on top of each other.
+void place_side_by_side(std::vector<RegionSolution>& regions) {
+  double right = 0;
+  for (RegionSolution& region : regions) {
+    double low = 1e300, high = -1e300, bottom = 1e300;
+    for (const Point& p : region.mesh.domain) {
+      low = std::min(low, p.x());
+      high = std::max(high, p.x());
+      bottom = std::min(bottom, p.y());
+    }
+    if (regions.size() > 1)
+      for (Point& p : region.mesh.domain) p += Point(right - low, -bottom);
+    right += 1.05 * (high - low);
+  }
+}
+
+}  // namespace
+
+Result assemble_result(const Shape& shape, const std::vector<RegionSolution>& regions,
+                       const Options& options, int degree) {
+  Result result;
+  result.name = shape.name;
+  result.degree = degree;
+  result.curves = shape.curves;
+  std::vector<RegionSolution> placed = regions;
+  place_side_by_side(placed);
+  for (const RegionSolution& region : placed) add_region(shape, region, result);
+  result.parameters = {{"version", std::string(version())},
+                       {"method", std::string("exact")},
+                       {"alpha", options.alpha},
+                       {"mips_bound", options.mips_bound},
+                       {"degree", static_cast<long long>(degree)},
+                       {"exceptional", static_cast<long long>(options.exceptional)},
+                       {"corner_angle", options.corner_angle},
+                       {"seed", static_cast<long long>(options.seed)}};
+  return result;
+}
+
+}  // namespace c1mesh

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which boundary vertices to give up next, near where a try failed.
+#pragma once
+
+#include <vector>
+
+#include "domain/layout.h"
+#include "mesh/curved_mesh.h"
+
+namespace c1mesh {
+
+/// Makes up to `count` more boundary vertices exceptional, those nearest (in the shape) to the
+/// vertices in `trouble`: joints that turn come first, reflex and mild ones before convex corners,
+/// smooth vertices last. Returns how many were changed (0: none is left).
+int demote_near(const CurvedMesh& mesh, const Joints& joints, const std::vector<int>& trouble,
+                int count, Roles& roles);
+
+/// Carries roles to a refined mesh: by vertex id, new vertices flat.
+Roles roles_on(const Joints& from, const Roles& roles, const Joints& to);
+
+/// Makes every corner, or every corner and mild joint, exceptional.
+void demote_all_joints(const Joints& joints, Roles& roles);
+
+}  // namespace c1mesh

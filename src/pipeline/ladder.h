@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ladder of remedies: from the fewest exceptional vertices to what always works.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "c1mesh/options.h"
+#include "optimise/attempt.h"
+
+namespace c1mesh {
+
+/// A region's map, always valid; the remedies say what it took.
+struct RegionSolution {
+  CurvedMesh mesh;                        ///< domain and control points final
+  Joints joints;
+  std::vector<int> exceptional;           ///< vertices, interior ones only in the last resort
+  std::vector<std::array<int, 2>> relaxed;
+  double g = 0;
+  std::vector<std::string> remedies;
+  std::vector<std::pair<std::string, double>> seconds;
+  bool interrupted = false;               ///< the time limit cut the search short
+};
+
+/// Thrown by a checkpoint when the time limit is reached.
+struct TimeLimitReached {};
+
+/// `bound`: g asked for (alpha mu). The checkpoint may throw TimeLimitReached, after which the best
+/// valid state so far is returned, or anything else, which is passed on.
+RegionSolution solve_region(const CurvedMesh& initial, const Options& options,
+                            const Checkpoint& checkpoint);
+
+}  // namespace c1mesh

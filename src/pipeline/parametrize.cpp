@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "c1mesh/parametrize.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "pipeline/assemble.h"
+#include "pipeline/ladder.h"
+#include "pipeline/region_input.h"
+
+namespace c1mesh {
+namespace {
+
+class Clock {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void validate(const Options& options) {
+  if (!(options.mips_bound > 2)) throw std::invalid_argument("mips_bound must exceed 2");
+  if (!(options.alpha >= 1)) throw std::invalid_argument("alpha must be at least 1");
+  if (options.degree < 3 || options.degree > 20)
+    throw std::invalid_argument("degree must be from 3 to 20");
+  if (!(options.corner_angle >= 0 && options.corner_angle <= 180))
+    throw std::invalid_argument("corner_angle must be from 0 to 180 degrees");
+}
+
+bool within(const Outcome& outcome, const Options& options) {
+  const Metrics& m = outcome.result.metrics;
+  return outcome.report.valid() && m.mips_bound_max <= options.alpha * options.mips_bound &&
+         (options.exceptional < 0 || m.exceptional <= options.exceptional);
+}
+
+}  // namespace
+
+Outcome parametrize(const Shape& shape, const Options& options, const Progress& progress) {
+  validate(options);
+  const tbb::global_control threads(
+      tbb::global_control::max_allowed_parallelism,
+      options.threads > 0 ? options.threads : tbb::info::default_concurrency());
+  const Clock clock;
+  const int degree = std::max(options.degree, shape.highest_degree());
+  const std::size_t count = shape.regions.size();
+  Outcome outcome;
+  std::vector<RegionSolution> regions;
+  double mesh_seconds = 0, map_seconds = 0;
+  for (std::size_t r = 0; r < count; ++r) {
+    const auto tell = [&](const char* stage, double part) {
+      const double fraction = (static_cast<double>(r) + part) / static_cast<double>(count);
+      if (progress && !progress(stage, 0.95 * fraction)) throw Interrupted("cancelled");
+    };
+    tell("initial mesh", 0);
+    Clock stage;
+    MeshReport report;
+    const CurvedMesh mesh =
+        initial_mesh(region_input(shape, static_cast<int>(r), degree), {options.mips_bound}, report);
+    mesh_seconds += stage.seconds();
+    outcome.remedies.insert(outcome.remedies.end(), report.notes.begin(), report.notes.end());
+
+    stage = Clock();
+    int steps = 0;
+    const Checkpoint checkpoint = [&] {
+      // How long the search takes is not known; the bar approaches the end without reaching it.
+      tell("optimising", 1 - 1 / (1 + 0.01 * ++steps));
+      if (options.time_limit > 0 && clock.seconds() > options.time_limit) throw TimeLimitReached();
+    };
+    regions.push_back(solve_region(mesh, options, checkpoint));
+    map_seconds += stage.seconds();
+    outcome.time_limit_hit |= regions.back().interrupted;
+    for (const std::string& remedy : regions.back().remedies)
+      outcome.remedies.push_back(count > 1 ? fmt::format("region {}: {}", r, remedy) : remedy);
+  }
+  if (progress && !progress("verifying", 0.96)) throw Interrupted("cancelled");
+  const Clock stage;
+  outcome.result = assemble_result(shape, regions, options, degree);
+  outcome.report = verify(outcome.result, shape);
+  outcome.result.metrics = outcome.report.metrics;
+  outcome.seconds = {{"mesh", mesh_seconds}, {"map", map_seconds}, {"verify", stage.seconds()},
+                     {"total", clock.seconds()}};
+  outcome.within_bounds = within(outcome, options);
+  if (progress) progress("done", 1);
+  return outcome;
+}
+
+}  // namespace c1mesh
