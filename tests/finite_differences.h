@@ -24,9 +24,8 @@ inline double gradient_error(const std::function<double(const Eigen::VectorXd&)>
 }
 
 /// The largest error of `hessian` against central differences of `gradient`, relative to its norm.
-inline double hessian_error(
-    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& gradient,
-    const Eigen::MatrixXd& hessian, const Eigen::VectorXd& x, double step) {
+inline double hessian_error(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& gradient,
+                            const Eigen::MatrixXd& hessian, const Eigen::VectorXd& x, double step) {
   double worst = 0;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     Eigen::VectorXd up = x, down = x;

@@ -149,15 +149,24 @@ CLI::Validator at_least(double least, double most = std::numeric_limits<double>:
           range, "at_least"};
 }
 
+CLI::Validator above(double least) {
+  const std::string range = fmt::format("above {}", least);
+  return {[=](const std::string& text) {
+            double value = 0;
+            const bool number = CLI::detail::lexical_cast(text, value);
+            return number && value > least ? "" : "must be a number " + range;
+          },
+          range, "above"};
+}
+
 void add_method_options(CLI::App& cli, RunArguments& arguments) {
   Options& options = arguments.options;
   cli.add_option("--alpha", options.alpha, "Distortion g <= alpha * mips-bound is asked")
       ->capture_default_str()
       ->check(at_least(1));
-  cli.add_option("--mips-bound", options.mips_bound,
-                 "Distortion bound of the initial mesh, above 2")
+  cli.add_option("--mips-bound", options.mips_bound, "Distortion bound of the initial mesh")
       ->capture_default_str()
-      ->check(at_least(2));
+      ->check(above(2));
   cli.add_option("--degree", options.degree, "Least degree of the triangles")
       ->capture_default_str()
       ->check(CLI::Range(3, 20));

@@ -76,6 +76,8 @@ std::vector<std::string> missed_bounds(const Outcome& outcome, const Options& op
   for (const VerifyItem& item : outcome.report.items)
     if (item.verdict != Verdict::valid)
       missed.push_back(fmt::format("{} is {}: {}", item.name, name_of(item.verdict), item.message));
+  if (outcome.gave_up)
+    missed.emplace_back("C1 was given up at every boundary vertex of a region");
   if (missed.empty()) missed.emplace_back("a bound that was asked is missed");
   return missed;
 }

@@ -7,30 +7,47 @@ namespace c1mesh {
 
 const char* name_of(DefectKind kind) {
   switch (kind) {
-    case DefectKind::malformed: return "malformed";
-    case DefectKind::unsupported: return "unsupported";
-    case DefectKind::limit: return "limit";
-    case DefectKind::non_finite: return "non-finite";
-    case DefectKind::empty: return "empty";
-    case DefectKind::zero_length: return "zero-length";
-    case DefectKind::vanishing_derivative: return "vanishing-derivative";
-    case DefectKind::cusp: return "cusp";
-    case DefectKind::open_loop: return "open-loop";
-    case DefectKind::gap: return "gap";
-    case DefectKind::branching: return "branching";
-    case DefectKind::duplicate: return "duplicate";
-    case DefectKind::self_intersection: return "self-intersection";
-    case DefectKind::crossing: return "crossing";
-    case DefectKind::touching: return "touching";
-    case DefectKind::handle: return "handle";
-    case DefectKind::note: return "note";
+    case DefectKind::malformed:
+      return "malformed";
+    case DefectKind::unsupported:
+      return "unsupported";
+    case DefectKind::limit:
+      return "limit";
+    case DefectKind::non_finite:
+      return "non-finite";
+    case DefectKind::empty:
+      return "empty";
+    case DefectKind::zero_length:
+      return "zero-length";
+    case DefectKind::vanishing_derivative:
+      return "vanishing-derivative";
+    case DefectKind::cusp:
+      return "cusp";
+    case DefectKind::open_loop:
+      return "open-loop";
+    case DefectKind::gap:
+      return "gap";
+    case DefectKind::branching:
+      return "branching";
+    case DefectKind::duplicate:
+      return "duplicate";
+    case DefectKind::self_intersection:
+      return "self-intersection";
+    case DefectKind::crossing:
+      return "crossing";
+    case DefectKind::touching:
+      return "touching";
+    case DefectKind::handle:
+      return "handle";
+    case DefectKind::note:
+      return "note";
   }
   return "unknown";
 }
 
 std::string describe(const Defect& defect) {
-  std::string out = fmt::format("{}{}: {}", name_of(defect.kind), defect.repaired ? " (repaired)" : "",
-                                defect.message);
+  std::string out = fmt::format("{}{}: {}", name_of(defect.kind),
+                                defect.repaired ? " (repaired)" : "", defect.message);
   std::string place;
   if (!defect.curves.empty()) {
     place += defect.curves.size() == 1 ? "curve" : "curves";

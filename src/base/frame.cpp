@@ -15,7 +15,9 @@ Point Frame::restore(const Point& p) const {
   return {std::ldexp(p.x(), exponent) + origin.x(), std::ldexp(p.y(), exponent) + origin.y()};
 }
 
-double Frame::extent() const { return std::ldexp(1.0, exponent); }
+double Frame::extent() const {
+  return std::ldexp(1.0, exponent);
+}
 
 int Shape::highest_degree() const {
   int degree = 0;

@@ -19,7 +19,9 @@ double multinomial(int n, int i, int j) {
   return factorial(n) / (factorial(i) * factorial(j) * factorial(n - i - j));
 }
 
-int net_position(int n, int i, int j) { return j * (n + 1) - j * (j - 1) / 2 + i; }
+int net_position(int n, int i, int j) {
+  return j * (n + 1) - j * (j - 1) / 2 + i;
+}
 
 }  // namespace
 

@@ -54,6 +54,15 @@ DomainElement corner_wedge(int previous, int vertex, int next, const Point& d0, 
   return wedge;
 }
 
+// An equilateral corner of side `length`: convex on an outer loop, reflex on a hole.
+DomainElement smooth_exceptional_wedge(int previous, int vertex, int next, double length,
+                                       bool outer) {
+  const Point ahead(length, 0), behind(0.5 * length, -std::sqrt(0.75) * length);
+  DomainElement wedge = corner_wedge(previous, vertex, next, behind, ahead, true);
+  if (!outer) std::swap(wedge.points[1], wedge.points[2]);
+  return wedge;
+}
+
 // (e0, w) against (d0, J d0): the wedge of a mild joint, uniform as the turn vanishes.
 DomainElement mild_wedge(const Joint& joint, const Tips& tips) {
   DomainElement wedge;
@@ -87,13 +96,16 @@ DomainElements domain_elements(const CurvedMesh& mesh, const Joints& joints, con
       const Joint& joint = joints[l][k];
       const int previous = joints[l][(k + m - 1) % m].vertex, next = joints[l][(k + 1) % m].vertex;
       if (roles[l][k] == Role::flat) continue;
-      if (roles[l][k] == Role::exceptional) {
-        // Any orientation-keeping reference does: an equilateral corner, convex for the loop.
-        DomainElement wedge =
-            corner_wedge(previous, joint.vertex, next, Point(0.5, -std::sqrt(0.75)) * joint.d1.norm(),
-                         Point(1, 0) * joint.d1.norm(), true);
-        if (l > 0) std::swap(wedge.points[1], wedge.points[2]);
-        if (joint.kind == JointKind::corner) continue;
+      if (gives_up_c1(roles[l][k])) {
+        // Only the side it turns to matters here: a corner keeps its own, a smooth vertex turns
+        // as the loop's polygon must.
+        DomainElement wedge;
+        if (joint.kind == JointKind::mild) continue;
+        if (joint.kind != JointKind::corner && roles[l][k] == Role::released) continue;
+        if (joint.kind == JointKind::corner)
+          wedge = corner_wedge(previous, joint.vertex, next, joint.d0, joint.d1, joint.convex());
+        else
+          wedge = smooth_exceptional_wedge(previous, joint.vertex, next, joint.d1.norm(), l == 0);
         wedge.weight = weights.exceptional / out.triangles;
         out.all.push_back(wedge);
         continue;

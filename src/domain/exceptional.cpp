@@ -15,7 +15,8 @@ struct LoopProfile {
   std::vector<double> bend;  // turning towards the wanted side within a window
 };
 
-LoopProfile profile_of(const CurvedMesh& mesh, const std::vector<Joint>& joints, double side) {
+LoopProfile profile_of(const CurvedMesh& mesh, const std::vector<Joint>& joints, double side,
+                       double window_share) {
   LoopProfile out;
   const int m = static_cast<int>(joints.size());
   std::vector<double> turn(m);
@@ -27,8 +28,8 @@ LoopProfile profile_of(const CurvedMesh& mesh, const std::vector<Joint>& joints,
     out.length += ahead.norm();
     turn[k] = side * std::atan2(cross(behind, ahead), behind.dot(ahead));
   }
-  // Triangular window of a twelfth of the loop on either side.
-  const double window = out.length / 12;
+  // Triangular window on either side.
+  const double window = out.length * window_share;
   for (int k = 0; k < m; ++k) {
     double sum = 0;
     for (int j = 0; j < m; ++j) {
@@ -48,6 +49,7 @@ double distance(const LoopProfile& profile, int a, int b) {
 
 bool is_wanted_corner(const Joint& joint, Role role) {
   if (role == Role::exceptional) return true;
+  if (role == Role::released) return joint.kind == JointKind::corner && joint.convex() == (joint.loop == 0);
   return role == Role::anchor && joint.kind == JointKind::corner &&
          joint.convex() == (joint.loop == 0);
 }
@@ -57,8 +59,7 @@ std::vector<int> taken_places(const std::vector<Joint>& joints, const std::vecto
                               bool wanted) {
   std::vector<int> out;
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    const bool end = roles[k] == Role::anchor || roles[k] == Role::exceptional;
-    if (end && is_wanted_corner(joints[k], roles[k]) == wanted) out.push_back(static_cast<int>(k));
+    if (ends_chain(roles[k]) && is_wanted_corner(joints[k], roles[k]) == wanted) out.push_back(static_cast<int>(k));
   }
   return out;
 }
@@ -118,8 +119,7 @@ int missing_corners(const Joints& joints, const Roles& roles, int loop) {
   int have = 0;
   for (std::size_t k = 0; k < joints[loop].size(); ++k) {
     const Role role = roles[loop][k];
-    if ((role == Role::anchor || role == Role::exceptional) &&
-        is_wanted_corner(joints[loop][k], role))
+    if (ends_chain(role) && is_wanted_corner(joints[loop][k], role))
       ++have;
   }
   return std::max(0, 3 - have);
@@ -131,8 +131,9 @@ Roles place_exceptional(const CurvedMesh& mesh, const Joints& joints, const Role
   for (std::size_t l = 0; l < joints.size(); ++l) {
     const int missing = missing_corners(joints, roles, static_cast<int>(l));
     if (missing == 0) continue;
-    const LoopProfile profile = profile_of(mesh, joints[l], l == 0 ? 1.0 : -1.0);
-    if (placement == Placement::curvature)
+    const LoopProfile profile = profile_of(mesh, joints[l], l == 0 ? 1.0 : -1.0,
+                                           placement == Placement::tips ? 0.02 : 1.0 / 12);
+    if (placement == Placement::curvature || placement == Placement::tips)
       place_by_curvature(profile, joints[l], missing, out[l]);
     else
       place_evenly(profile, joints[l], missing, placement == Placement::spread ? 0.0 : 0.5, out[l]);
@@ -143,7 +144,7 @@ Roles place_exceptional(const CurvedMesh& mesh, const Joints& joints, const Role
 int count_exceptional(const Roles& roles) {
   int count = 0;
   for (const auto& loop : roles)
-    count += static_cast<int>(std::count(loop.begin(), loop.end(), Role::exceptional));
+    count += static_cast<int>(std::count_if(loop.begin(), loop.end(), gives_up_c1));
   return count;
 }
 

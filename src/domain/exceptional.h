@@ -19,7 +19,8 @@ struct Place {
 int missing_corners(const Joints& joints, const Roles& roles, int loop);
 
 enum class Placement {
-  curvature,  ///< where the boundary bends most, spaced apart
+  curvature,  ///< where the boundary bends most over a twelfth of the loop, spaced apart
+  tips,       ///< the same over a fiftieth: finds the ends of thin bands
   spread,     ///< evenly along the boundary, starting where it bends most
   shifted,    ///< evenly, offset by half a spacing
 };

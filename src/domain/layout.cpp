@@ -10,8 +10,6 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-bool ends_chain(Role role) { return role == Role::anchor || role == Role::exceptional; }
-
 // Edge k of a chain is rho e_0 + sum_j bends[j] w_j, with j an unknown's index.
 struct EdgeForm {
   double rho = 1;
@@ -113,7 +111,7 @@ int number_tips(const Joints& joints, const Roles& roles, int rows, DomainLayout
   for (std::size_t l = 0; l < joints.size(); ++l) {
     layout.tips.emplace_back(joints[l].size());
     for (std::size_t k = 0; k < joints[l].size(); ++k)
-      if (joints[l][k].kind == JointKind::mild && roles[l][k] != Role::exceptional) {
+      if (joints[l][k].kind == JointKind::mild && !gives_up_c1(roles[l][k])) {
         layout.tips[l][k] = {rows, rows + 1};
         rows += 2;
       }

@@ -16,8 +16,13 @@ enum class Role {
   flat,         ///< interior angle exactly pi, edge lengths in the ratio of the derivatives
   bent,         ///< a mild joint within a chain: turns by kappa w, w a free vector
   anchor,       ///< ends a chain, C1: a corner, or a mild joint with a free vertex
-  exceptional,  ///< ends a chain, C1 given up
+  exceptional,  ///< ends a chain, C1 given up, as a corner the loop's polygon needs
+  released,     ///< ends a chain, C1 given up because keeping it failed
 };
+
+/// Is C1 given up at a vertex of this role? (Both kinds are exceptional vertices of the result.)
+inline bool gives_up_c1(Role role) { return role == Role::exceptional || role == Role::released; }
+inline bool ends_chain(Role role) { return role == Role::anchor || gives_up_c1(role); }
 
 /// roles[loop][position], aligned with Joints.
 using Roles = std::vector<std::vector<Role>>;

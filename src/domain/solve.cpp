@@ -52,16 +52,17 @@ struct Attempt {
   DomainReport report;
 };
 
-// Untangles with the holes filled, then minimises without the filling.
-Attempt attempt_start(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
-                      const DomainLayout& layout, const DomainElements& elements,
-                      const DomainOptions& options, Start start, const Checkpoint& checkpoint) {
+// Where the start's least relative determinant is under `least_start` (a Tutte embedding underflows
+// long before it inverts): untangles with the holes filled. Then minimises without the filling.
+Attempt attempt_start(const CurvedMesh& mesh, const DomainLayout& layout, const DomainElements& elements,
+                      const DomainOptions& options, PointMatrix start, double least_start,
+                      const Checkpoint& checkpoint) {
   Attempt out;
-  out.unknowns = start_positions(mesh, joints, roles, layout, start);
+  out.unknowns = std::move(start);
   normalise_domain(mesh, layout, out.unknowns);
   Eigen::VectorXd x = flatten(out.unknowns);
   DomainObjective objective(layout, elements.all);
-  if (objective.least_determinant(x) < 1e-3) {
+  if (objective.least_determinant(x) < least_start) {
     DomainLayout filled = layout;
     std::vector<DomainElement> with_holes = elements.all;
     PointMatrix unknowns = out.unknowns;
@@ -139,16 +140,22 @@ DomainState solve_domain(const CurvedMesh& mesh, const Joints& joints, const Rol
   const DomainElements elements =
       domain_elements(mesh, joints, roles, state.layout, options.weights);
   bool first = true;
-  for (const Start start : {Start::shape, Start::convex}) {
-    Attempt attempt = attempt_start(mesh, joints, roles, state.layout, elements, options, start,
-                                    checkpoint);
-    if (first || better(attempt.report, report)) {
-      report = attempt.report;
-      state.unknowns = attempt.unknowns;
+  // Returns true when nothing better is to be expected.
+  const auto attempt = [&](PointMatrix start, double least_start) {
+    Attempt next = attempt_start(mesh, state.layout, elements, options, std::move(start),
+                                 least_start, checkpoint);
+    if (first || better(next.report, report)) {
+      report = next.report;
+      state.unknowns = next.unknowns;
     }
     first = false;
-    if (report.valid && report.crossings == 0) break;
-  }
+    return report.valid && report.crossings == 0;
+  };
+  if (options.warm.rows() > 0 &&
+      (attempt(unknowns_of_points(options.warm, joints, state.layout), 0) || report.valid))
+    return state;
+  for (const Start start : {Start::shape, Start::convex})
+    if (attempt(start_positions(mesh, joints, roles, state.layout, start), 1e-3)) break;
   return state;
 }
 

@@ -66,10 +66,9 @@ void place_on_convex_polygon(const CurvedMesh& mesh, const Joints& joints, const
                                  mesh.domain[loop[k].vertex]).norm();
   std::vector<int> corners;
   for (int k = 0; k < m; ++k) {
-    const bool end = roles[0][k] == Role::exceptional || roles[0][k] == Role::anchor;
-    const bool convex = loop[k].kind != JointKind::corner ? roles[0][k] == Role::exceptional
-                                                          : loop[k].convex();
-    if (end && convex) corners.push_back(k);
+    const bool convex = loop[k].kind == JointKind::corner ? loop[k].convex()
+                                                          : roles[0][k] == Role::exceptional;
+    if (ends_chain(roles[0][k]) && convex) corners.push_back(k);
   }
   const int count = static_cast<int>(corners.size());
   const double radius = length[m] / (2 * std::numbers::pi);
@@ -116,6 +115,23 @@ PointMatrix unknowns_from(const PointMatrix& wanted, const Joints& joints,
 }
 
 }  // namespace
+
+PointMatrix unknowns_of_points(const PointMatrix& points, const Joints& joints,
+                               const DomainLayout& layout) {
+  PointMatrix unknowns = unknowns_from(points, joints, layout);
+  for (std::size_t l = 0; l < joints.size(); ++l) {
+    const std::size_t m = joints[l].size();
+    for (std::size_t k = 0; k < m; ++k) {
+      if (layout.bend_unknown[l][k] < 0) continue;
+      const Joint& joint = joints[l][k];
+      const Eigen::RowVector2d v = points.row(joint.vertex);
+      const Eigen::RowVector2d in = v - points.row(joints[l][(k + m - 1) % m].vertex);
+      const Eigen::RowVector2d out = points.row(joints[l][(k + 1) % m].vertex) - v;
+      unknowns.row(layout.bend_unknown[l][k]) = (out - joint.ratio * in) / joint.kappa;
+    }
+  }
+  return unknowns;
+}
 
 PointMatrix start_positions(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                             const DomainLayout& layout, Start start) {

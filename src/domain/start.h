@@ -19,6 +19,11 @@ enum class Start {
 PointMatrix start_positions(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                             const DomainLayout& layout, Start start);
 
+/// The unknowns whose layout gives these vertex positions; exact for positions that satisfy the
+/// layout's chains (a solution for stricter roles does).
+PointMatrix unknowns_of_points(const PointMatrix& points, const Joints& joints,
+                               const DomainLayout& layout);
+
 /// True if every interior vertex is wound once and every boundary vertex less than once, given that
 /// all triangles are positive. Positive triangles alone do not give this.
 bool winds_once(const CurvedMesh& mesh, const PointMatrix& points);

@@ -76,8 +76,8 @@ void Assembler::build() {
   std::copy(count.begin(), count.end(), matrix_.outerIndexPtr());
   slots_.resize(keys_.size());
   for (std::size_t k = 0; k < keys_.size(); ++k) {
-    slots_[k] = static_cast<int>(std::lower_bound(unique.begin(), unique.end(), keys_[k]) -
-                                 unique.begin());
+    slots_[k] =
+        static_cast<int>(std::lower_bound(unique.begin(), unique.end(), keys_[k]) - unique.begin());
     matrix_.valuePtr()[slots_[k]] += values_[k];
   }
   built_ = true;

@@ -35,6 +35,7 @@ Attempt attempt_region(const CurvedMesh& mesh, const Joints& joints, const Roles
   out.energy = report.energy;
   out.trouble = report.inverted;
   if (!report.valid) return out;
+  out.domain_stage = (domain.layout.exact * domain.unknowns).topRows(mesh.vertex_count());
 
   MapState state{domain.unknowns, mesh.control};
   std::vector<C1Edge> asked = asked_edges(mesh, joints, roles);

@@ -44,7 +44,7 @@ std::vector<C1Edge> asked_edges(const CurvedMesh& mesh, const Joints& joints, co
   std::vector<char> exceptional(mesh.vertex_count(), 0);
   for (std::size_t l = 0; l < joints.size(); ++l)
     for (std::size_t k = 0; k < joints[l].size(); ++k)
-      if (roles[l][k] == Role::exceptional) exceptional[joints[l][k].vertex] = 1;
+      if (gives_up_c1(roles[l][k])) exceptional[joints[l][k].vertex] = 1;
   std::vector<C1Edge> out;
   for (C1Edge& e : c1_edges(mesh))
     if (!exceptional[e.vertex[0]] && !exceptional[e.vertex[1]]) out.push_back(std::move(e));
@@ -89,11 +89,17 @@ ExactReport make_exact(const CurvedMesh& mesh, const DomainLayout& layout,
   objective.exponent = options.exponent;
   const PointMatrix domain = layout.exact * state.unknowns;
   Eigen::VectorXd x = objective.pack(state);
-  for (objective.rho = options.first_rho; objective.rho <= options.last_rho; objective.rho *= 10)
+  int stalls = 0;
+  for (double rho = options.first_rho; rho <= options.last_rho && stalls < 2; rho *= 10) {
+    objective.rho = rho;
     report.iterations += newton(objective, x, {options.iterations, 1e-5}, checkpoint).iterations;
-  objective.rho = options.last_rho;
-  state.control = objective.unpack(x).control;
-  report.residue = largest_residue(asked, domain, state.control);
+    state.control = objective.unpack(x).control;
+    const double residue = largest_residue(asked, domain, state.control);
+    // Ten times the penalty should all but divide the residue by ten; where it does not even halve
+    // it, no regular C1 map over this domain is near.
+    stalls = rho > options.first_rho && residue > 0.5 * report.residue ? stalls + 1 : 0;
+    report.residue = residue;
+  }
   if (report.residue > options.give_up_residue) {
     report.final_residue = report.residue;
     report.trouble = worst_vertices(asked, domain, state.control, mesh.vertex_count());

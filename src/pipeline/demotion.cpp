@@ -6,6 +6,9 @@
 #include <map>
 #include <tuple>
 
+#include "mesh/split.h"
+#include "mesh/topology.h"
+
 namespace c1mesh {
 namespace {
 
@@ -25,7 +28,7 @@ int demote_near(const CurvedMesh& mesh, const Joints& joints, const std::vector<
   std::vector<std::tuple<double, std::size_t, std::size_t>> order;
   for (std::size_t l = 0; l < joints.size(); ++l)
     for (std::size_t k = 0; k < joints[l].size(); ++k) {
-      if (roles[l][k] == Role::exceptional) continue;
+      if (gives_up_c1(roles[l][k])) continue;
       double nearest = std::numeric_limits<double>::infinity();
       for (int v : trouble)
         nearest = std::min(nearest,
@@ -35,7 +38,7 @@ int demote_near(const CurvedMesh& mesh, const Joints& joints, const std::vector<
   std::sort(order.begin(), order.end());
   const int changed = std::min(count, static_cast<int>(order.size()));
   for (int i = 0; i < changed; ++i)
-    roles[std::get<1>(order[i])][std::get<2>(order[i])] = Role::exceptional;
+    roles[std::get<1>(order[i])][std::get<2>(order[i])] = Role::released;
   return changed;
 }
 
@@ -54,11 +57,45 @@ Roles roles_on(const Joints& from, const Roles& roles, const Joints& to) {
   return out;
 }
 
+bool has_c1_corner(const Joints& joints, const Roles& roles) {
+  for (std::size_t l = 0; l < joints.size(); ++l)
+    for (std::size_t k = 0; k < joints[l].size(); ++k)
+      if (joints[l][k].kind == JointKind::corner && roles[l][k] == Role::anchor) return true;
+  return false;
+}
+
+void grade_corners(CurvedMesh& mesh, const Joints& joints, const Roles& roles, int levels) {
+  std::vector<int> corners;
+  for (std::size_t l = 0; l < joints.size(); ++l)
+    for (std::size_t k = 0; k < joints[l].size(); ++k)
+      if (joints[l][k].kind == JointKind::corner && roles[l][k] == Role::anchor)
+        corners.push_back(joints[l][k].vertex);
+  for (; levels > 0; --levels)
+    for (const int corner : corners) {
+      for (std::size_t l = 0; l < mesh.loops.size(); ++l) {
+        const int m = static_cast<int>(mesh.loops[l].size());
+        for (int k = 0; k < m; ++k) {
+          if (mesh.loops[l][k].a != corner) continue;
+          // Two splits at the later index first, so that the earlier one still fits.
+          const int before = (k + m - 1) % m;
+          split_boundary_edge(mesh, static_cast<int>(l), std::max(k, before));
+          split_boundary_edge(mesh, static_cast<int>(l), std::min(k, before));
+          break;
+        }
+      }
+      std::vector<int> ends;
+      for (const MeshEdge& e : MeshTopology(mesh).edges)
+        if (e.triangle[1] >= 0 && (e.a == corner || e.b == corner))
+          ends.push_back(e.a == corner ? e.b : e.a);
+      for (const int end : ends) split_edge(mesh, corner, end);
+    }
+}
+
 void demote_all_joints(const Joints& joints, Roles& roles) {
   for (std::size_t l = 0; l < joints.size(); ++l)
     for (std::size_t k = 0; k < joints[l].size(); ++k)
       if (joints[l][k].kind == JointKind::corner || joints[l][k].kind == JointKind::mild)
-        roles[l][k] = Role::exceptional;
+        roles[l][k] = Role::released;
 }
 
 }  // namespace c1mesh

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <list>
 
 #include "domain/exceptional.h"
 #include "mesh/split.h"
@@ -20,6 +20,7 @@ namespace {
 struct Variant {
   CurvedMesh mesh;
   Joints joints;
+  PointMatrix warm;  // the last valid domain found on this mesh: a start for every later try
 };
 
 struct Best {
@@ -34,12 +35,13 @@ class Ladder {
       : options_(options),
         checkpoint_(checkpoint),
         bound_(options.alpha * options.mips_bound),
-        coarse_{initial, find_joints(initial, options.corner_angle)} {}
+        coarse_{initial, find_joints(initial, options.corner_angle), {}} {}
 
   RegionSolution climb() {
     RegionSolution out;
     try {
       search();
+      if (!best_.variant) release_joints();
       if (!best_.variant) last_resort();
     } catch (const TimeLimitReached&) {
       out.interrupted = true;
@@ -56,24 +58,35 @@ class Ladder {
     return work_ + variant.mesh.triangle_count() <= kWork || attempts_ < 2;
   }
 
-  const Variant& refined() {
-    if (!fine_) {
-      fine_.emplace();
-      fine_->mesh = coarse_.mesh;
-      refine_uniform(fine_->mesh);
-      fine_->joints = find_joints(fine_->mesh, options_.corner_angle);
+  // A finer variant: the same cuts through the initial pair and through the last domain found.
+  template <class Refine>
+  Variant& refined(const Refine& refine) {
+    Variant& fine = finer_.emplace_back();
+    fine.mesh = coarse_.mesh;
+    refine(fine.mesh);
+    fine.joints = find_joints(fine.mesh, options_.corner_angle);
+    if (coarse_.warm.rows() > 0) {
+      CurvedMesh solved = coarse_.mesh;
+      for (int v = 0; v < solved.vertex_count(); ++v)
+        solved.domain[v] = coarse_.warm.row(v).transpose();
+      refine(solved);
+      fine.warm.resize(solved.vertex_count(), 2);
+      for (int v = 0; v < solved.vertex_count(); ++v)
+        fine.warm.row(v) = solved.domain[v].transpose();
     }
-    return *fine_;
+    return fine;
   }
 
   // True if the search may end.
-  bool attempt(const Variant& variant, const Roles& roles, double wedge, const std::string& how) {
+  bool attempt(Variant& variant, const Roles& roles, double wedge, const std::string& how) {
     if (!affordable(variant)) return true;
     work_ += variant.mesh.triangle_count();
     ++attempts_;
     AttemptOptions settings;
     settings.domain.weights.wedge = wedge;
+    settings.domain.warm = variant.warm;
     last_ = attempt_region(variant.mesh, variant.joints, roles, settings, checkpoint_);
+    if (last_.domain_valid) variant.warm = last_.domain_stage;
     if (last_.success) consider(variant, how);
     return satisfied();
   }
@@ -93,7 +106,8 @@ class Ladder {
     Roles best = place_exceptional(coarse_.mesh, coarse_.joints, natural, Placement::curvature);
     if (best == natural) return best;
     double lowest = std::numeric_limits<double>::infinity();
-    for (const Placement placement : {Placement::curvature, Placement::spread, Placement::shifted}) {
+    for (const Placement placement : {Placement::curvature, Placement::tips, Placement::spread,
+                                      Placement::shifted}) {
       const Roles roles = place_exceptional(coarse_.mesh, coarse_.joints, natural, placement);
       DomainReport report;
       DomainOptions settings;
@@ -108,33 +122,57 @@ class Ladder {
   }
 
   void search() {
-    Roles roles = placed_roles();
+    const Roles roles = first_roles_ = placed_roles();
     if (attempt(coarse_, roles, 30, "")) return;
-    if (attempt(coarse_, roles, 300, "wedge weight 300")) return;
-    const Variant& fine = refined();
-    const Roles fine_roles = roles_on(coarse_.joints, roles, fine.joints);
-    if (attempt(fine, fine_roles, 30, "refined 1 to 4")) return;
-    if (attempt(fine, fine_roles, 300, "refined 1 to 4, wedge weight 300")) return;
-    if (give_up_more(fine, fine_roles)) return;
-    Roles every = place_exceptional(coarse_.mesh, coarse_.joints, roles, Placement::curvature);
-    demote_all_joints(coarse_.joints, every);
-    if (best_.variant) return;
-    if (attempt(coarse_, every, 30, "every joint exceptional")) return;
-    attempt(fine, roles_on(coarse_.joints, every, fine.joints), 30,
-            "every joint exceptional, refined 1 to 4");
+    Variant* last = &coarse_;
+    std::string prefix;
+    if (has_c1_corner(coarse_.joints, roles)) {
+      last = &refined([&](CurvedMesh& mesh) { grade_corners(mesh, coarse_.joints, roles, 2); });
+      prefix = "refined towards corners";
+      if (both_wedges(*last, roles, prefix)) return;
+    }
+    if (coarse_.mesh.triangle_count() <= kRefinable) {
+      Variant& fine = refined([](CurvedMesh& mesh) { refine_uniform(mesh); });
+      if (both_wedges(fine, roles, "refined 1 to 4")) return;
+      if (last == &coarse_) {
+        last = &fine;
+        prefix = "refined 1 to 4";
+      }
+    }
+    if (give_up_more(*last, roles_on(coarse_.joints, roles, last->joints), 4, prefix)) return;
   }
 
-  // One more exceptional vertex, then two, four, … near where the last try failed.
-  bool give_up_more(const Variant& variant, Roles roles) {
+  // On the mesh as it was, ever more vertices near the trouble, at last every joint. A budget of its
+  // own: what it reaches beats the last resort by far.
+  void release_joints() {
+    work_ = attempts_ = 0;
+    Roles roles = first_roles_;
+    if (give_up_more(coarse_, roles, 1 << 20, "") || best_.variant) return;
+    demote_all_joints(coarse_.joints, roles);
+    work_ = attempts_ = 0;
+    attempt(coarse_, roles, 30, "every joint exceptional");
+  }
+
+  bool both_wedges(Variant& variant, const Roles& coarse_roles, const std::string& how) {
+    const Roles roles = roles_on(coarse_.joints, coarse_roles, variant.joints);
+    return attempt(variant, roles, 30, how) ||
+           attempt(variant, roles, 300, how + ", wedge weight 300");
+  }
+
+  // One more exceptional vertex, then two, four, … up to `most` at a time, near where the last try
+  // failed.
+  bool give_up_more(Variant& variant, Roles roles, int most, const std::string& prefix) {
     int total = 0;
-    for (int count = 1; count <= 16; count *= 2) {
-      if (options_.exceptional >= 0 && best_.variant) return true;
+    for (int count = 1; count <= most; count *= 2) {
+      if (best_.variant && (options_.exceptional >= 0 || best_.variant != &variant))
+        return true;
       const int changed = demote_near(variant.mesh, variant.joints, last_.trouble, count, roles);
       if (changed == 0) return false;
       total += changed;
       for (const double wedge : {30.0, 300.0}) {
         if (attempt(variant, roles, wedge,
-                    fmt::format("refined 1 to 4, {} more exceptional", total)))
+                    fmt::format("{}{}{} more exceptional", prefix, prefix.empty() ? "" : ", ",
+                                total)))
           return true;
         if (last_.success) break;
       }
@@ -145,9 +183,11 @@ class Ladder {
   void last_resort() {
     last_ = attempt_on_initial_domain(coarse_.mesh, coarse_.joints, {}, checkpoint_);
     if (last_.success) best_ = {last_, &coarse_, "every boundary vertex exceptional"};
+    gave_up_ = true;
   }
 
   void write(RegionSolution& out) const {
+    out.gave_up = gave_up_ || !best_.variant;
     if (!best_.variant) {
       give_up_everything(out);
       return;
@@ -162,7 +202,7 @@ class Ladder {
     std::vector<char> is_exceptional(out.mesh.vertex_count(), 0);
     for (std::size_t l = 0; l < out.joints.size(); ++l)
       for (std::size_t k = 0; k < out.joints[l].size(); ++k)
-        if (best_.attempt.roles[l][k] == Role::exceptional) {
+        if (gives_up_c1(best_.attempt.roles[l][k])) {
           is_exceptional[out.joints[l][k].vertex] = 1;
           out.exceptional.push_back(out.joints[l][k].vertex);
         }
@@ -186,13 +226,16 @@ class Ladder {
   }
 
   static constexpr long kWork = 12000;
+  static constexpr int kRefinable = 300;  // larger meshes are not refined as a whole
   const Options& options_;
   const Checkpoint& checkpoint_;
   double bound_;
   Variant coarse_;
-  std::optional<Variant> fine_;
+  std::list<Variant> finer_;  // a list: best_ points into it
+  Roles first_roles_;
   Attempt last_;
   Best best_;
+  bool gave_up_ = false;
   long work_ = 0;
   int attempts_ = 0;
 };

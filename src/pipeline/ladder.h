@@ -19,7 +19,7 @@ struct RegionSolution {
   std::vector<std::array<int, 2>> relaxed;
   double g = 0;
   std::vector<std::string> remedies;
-  std::vector<std::pair<std::string, double>> seconds;
+  bool gave_up = false;                   ///< the last resort: no boundary vertex keeps C1
   bool interrupted = false;               ///< the time limit cut the search short
 };
 

@@ -37,7 +37,7 @@ void validate(const Options& options) {
 
 bool within(const Outcome& outcome, const Options& options) {
   const Metrics& m = outcome.result.metrics;
-  return outcome.report.valid() && m.mips_bound_max <= options.alpha * options.mips_bound &&
+  return outcome.report.valid() && !outcome.gave_up && m.mips_bound_max <= options.alpha * options.mips_bound &&
          (options.exceptional < 0 || m.exceptional <= options.exceptional);
 }
 
@@ -77,6 +77,7 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
     regions.push_back(solve_region(mesh, options, checkpoint));
     map_seconds += stage.seconds();
     outcome.time_limit_hit |= regions.back().interrupted;
+    outcome.gave_up |= regions.back().gave_up;
     for (const std::string& remedy : regions.back().remedies)
       outcome.remedies.push_back(count > 1 ? fmt::format("region {}: {}", r, remedy) : remedy);
   }

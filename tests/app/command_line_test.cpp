@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values("", "frobnicate", "run", "run a.json", "run -o out", "run a.json -o",
                     "run a.json -o out --degree 2", "run a.json -o out --degree three",
                     "run a.json -o out --alpha nan", "run a.json -o out --alpha 0",
-                    "run a.json -o out --mips-bound 1", "run a.json -o out --exceptional -1",
+                    "run a.json -o out --mips-bound 2", "run a.json -o out --exceptional -1",
                     "run a.json -o out --exceptional most", "run a.json -o out --formats json,msh",
                     "run a.json -o out --time-limit -3", "run a.json -o out --corner-angle 181",
                     "run a.json -o out --no-such-option", "check", "verify", "draw a.json",

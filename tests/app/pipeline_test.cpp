@@ -34,8 +34,8 @@ TEST_P(Examples, AreDoneWithoutExceptionalVerticesBeyondTheMinimum) {
             0);
   const Result result = parse_result(folder.read("out/" + name + ".c1.json"), name);
   const Metrics measured = verify(result).metrics;
-  EXPECT_EQ(measured.conformance_max, 0);
-  EXPECT_LT(measured.d_ei.max, 1e-11);
+  EXPECT_LE(measured.conformance_max, 1e-13);
+  EXPECT_LE(measured.d_ei.max, 1e-12);
   EXPECT_GT(measured.mips_bound_max, 2 - 1e-9);
   EXPECT_EQ(measured.surplus, 0);
 }
@@ -83,11 +83,11 @@ TEST(Pipeline, OneBadInputDoesNotStopTheOthersAndDecidesTheStatus) {
   EXPECT_EQ(folder.files("out"), (std::vector<std::string>{"blob.c1.json", "blob.svg"}));
 }
 
-// g = |J|^2 / det J is at least 2 everywhere, so alpha * mips-bound = 2 can hold for similarities
-// only, and three exceptional vertices over a smooth boundary leave none.
+// g = |J|^2 / det J is at least 2 everywhere, with equality for similarities only; a map from a
+// polygon to a smooth blob is far from one, so alpha * mips-bound = 2.01 cannot hold.
 TEST(Pipeline, AMissedBoundIsStatusFour) {
   const Folder folder;
-  const Ran ran = folder.run("run --alpha 1 --mips-bound 2 -o out " + example("blob.svg"));
+  const Ran ran = folder.run("run --alpha 1 --mips-bound 2.01 -o out " + example("blob.svg"));
   EXPECT_EQ(ran.status, 4) << ran.err;
   EXPECT_TRUE(contains(ran.err, "exceeds")) << ran.err;
   EXPECT_EQ(folder.files("out"), (std::vector<std::string>{"blob.c1.json", "blob.svg"}));

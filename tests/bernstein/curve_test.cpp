@@ -41,7 +41,8 @@ TEST(Curve, ElevationKeepsTheCurveInRationals) {
   const auto poles = rational_cubic();
   const auto raised = elevate_poles(elevate_poles(poles));
   ASSERT_EQ(raised.size(), 6u);
-  for (int k = 0; k <= 5; ++k) EXPECT_EQ(at(raised, mpq_class(mpq_class(k) / 5)), at(poles, mpq_class(mpq_class(k) / 5)));
+  for (int k = 0; k <= 5; ++k)
+    EXPECT_EQ(at(raised, mpq_class(mpq_class(k) / 5)), at(poles, mpq_class(mpq_class(k) / 5)));
 }
 
 TEST(Curve, DoubleRestrictionAgreesWithTheExactOneToRounding) {
@@ -53,7 +54,8 @@ TEST(Curve, DoubleRestrictionAgreesWithTheExactOneToRounding) {
 }
 
 TEST(Curve, ExactRestrictionToTheWholeReturnsTheSameBits) {
-  const BezierCurve curve{{Point(0.1, 0.2), Point(0.7, -0.3), Point(1.1, 0.9), Point(1e9 / 3, 1.3)}};
+  const BezierCurve curve{
+      {Point(0.1, 0.2), Point(0.7, -0.3), Point(1.1, 0.9), Point(1e9 / 3, 1.3)}};
   EXPECT_EQ(restrict_exactly(curve, 0, 1, 3).poles, curve.poles);
   EXPECT_EQ(restrict_exactly(curve, 1, 0, 3).poles, reversed(curve).poles);
 }

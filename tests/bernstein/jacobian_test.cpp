@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bernstein/jacobian.h"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <random>
 
 namespace c1mesh {
 namespace {
 
-int position(int n, int i, int j) { return j * (n + 1) - j * (j - 1) / 2 + i; }
+int position(int n, int i, int j) {
+  return j * (n + 1) - j * (j - 1) / 2 + i;
+}
 
 double bernstein(int n, int i, int j, double u, double v) {
   const double w = 1 - u - v;
@@ -64,7 +66,8 @@ TEST_P(Jacobian, DetAndNormFormsAgreeWithPointwiseValues) {
   }
 }
 
-// The mean of |a|^2 over the triangle from the mass matrix against the Bernstein coefficients' mean.
+// The mean of |a|^2 over the triangle from the mass matrix against the Bernstein coefficients'
+// mean.
 TEST_P(Jacobian, MassMatrixIntegratesTheSquaredNorm) {
   const int n = GetParam();
   const auto& tables = JacobianTables::of(n);
@@ -91,7 +94,8 @@ TEST_P(Jacobian, AffineTriangleHasConstantCoefficientsAndItsMipsValue) {
   EXPECT_NEAR(det.minCoeff(), 6, 1e-13);
   EXPECT_NEAR(det.maxCoeff(), 6, 1e-13);
   // MIPS of diag(2, 3): (4 + 9) / 6.
-  EXPECT_NEAR(distortion_bound(JacobianTables::of(n), net, Point(1, 0), Point(0, 1)), 13.0 / 6, 1e-12);
+  EXPECT_NEAR(distortion_bound(JacobianTables::of(n), net, Point(1, 0), Point(0, 1)), 13.0 / 6,
+              1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Degrees, Jacobian, testing::Values(1, 2, 3, 4, 5));

@@ -111,16 +111,17 @@ TEST(Files, RealDefectsAsExpected) {
   EXPECT_EQ(seen, 20u);
 }
 
-// A shape given as JSON and as SVG: the same curves turned upside down.
+// Where a shape is given as JSON and as SVG: the same curves turned upside down.
 TEST(Files, RealShapesAndTheirTwins) {
   std::size_t seen = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(C1MESH_TEST_DATA) / "corpus")) {
     if (entry.path().extension() != ".json") continue;
-    ++seen;
     const Shape json = make_shape(read_drawings(entry.path().string()).at(0));
-    const Shape svg =
-        make_shape(read_drawings(fs::path(entry.path()).replace_extension(".svg").string()).at(0));
     EXPECT_EQ(broken_promise(json), "");
+    const fs::path twin = fs::path(entry.path()).replace_extension(".svg");
+    if (!fs::exists(twin)) continue;
+    ++seen;
+    const Shape svg = make_shape(read_drawings(twin.string()).at(0));
     EXPECT_EQ(broken_promise(svg), "");
     EXPECT_EQ(json.name, svg.name);
     ASSERT_EQ(json.curves.size(), svg.curves.size());

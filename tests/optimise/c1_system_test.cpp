@@ -29,8 +29,8 @@ TEST(Barycentric, DerivativeMatchesDifferences) {
   const auto at = [](const Eigen::VectorXd& y) {
     return barycentric(y.segment<2>(0), y.segment<2>(2), y.segment<2>(4), y.segment<2>(6));
   };
-  const auto d = barycentric_derivative(x.segment<2>(0), x.segment<2>(2), x.segment<2>(4),
-                                        x.segment<2>(6));
+  const auto d =
+      barycentric_derivative(x.segment<2>(0), x.segment<2>(2), x.segment<2>(4), x.segment<2>(6));
   for (int k = 0; k < 2; ++k) {
     const auto value = [&](const Eigen::VectorXd& y) { return at(y)[k + 1]; };
     EXPECT_LT(testing_tools::gradient_error(value, d.row(k).transpose(), x, 1e-6), 1e-8);
@@ -55,8 +55,8 @@ TEST_P(C1Degrees, AffineMapsHaveNoResidue) {
 }
 
 // Solution space of the homogeneous system with the boundary's control points held at zero, per
-// coordinate. Cubic: 2 V_interior + V_flat + 1 - holes (no exceptional vertex). For the m x m square
-// the boundary has 4 true corners and 4 (m - 1) flat vertices.
+// coordinate. Cubic: 2 V_interior + V_flat + 1 - holes (no exceptional vertex). For the m x m
+// square the boundary has 4 true corners and 4 (m - 1) flat vertices.
 TEST(C1System, DimensionOfTheCubicSolutionSpace) {
   for (int m : {2, 3, 4}) {
     const CurvedMesh mesh = jittered_square(3, m, 10 + m);

@@ -41,8 +41,8 @@ TEST_P(Map, GradientMatchesDifferencesWithDomainFreeAndFrozen) {
   const Fixture f = square(GetParam(), 2);
   const auto elements = domain_elements(f.mesh, f.joints, f.roles, f.layout, {});
   for (const bool free : {true, false}) {
-    MapObjective objective(f.mesh, f.layout, asked_edges(f.mesh, f.joints, f.roles),
-                           elements.all, f.state, free);
+    MapObjective objective(f.mesh, f.layout, asked_edges(f.mesh, f.joints, f.roles), elements.all,
+                           f.state, free);
     objective.rho = 30;
     objective.exponent = free ? 1 : 2;
     Eigen::VectorXd x = objective.pack(f.state);
@@ -63,7 +63,8 @@ TEST_P(Map, HessianIsExactAtTheIdentityMap) {
   Fixture f = square(GetParam(), 4);
   f.state.control = f.mesh.control;
   f.state.unknowns = start_positions(f.mesh, f.joints, f.roles, f.layout, Start::shape);
-  MapObjective objective(f.mesh, f.layout, asked_edges(f.mesh, f.joints, f.roles), {}, f.state, true);
+  MapObjective objective(f.mesh, f.layout, asked_edges(f.mesh, f.joints, f.roles), {}, f.state,
+                         true);
   objective.rho = 1e4;
   const Eigen::VectorXd x = objective.pack(f.state);
   Eigen::VectorXd gradient;
@@ -87,7 +88,8 @@ INSTANTIATE_TEST_SUITE_P(Degrees, Map, testing::Values(3, 4, 5));
 // Two states of the same run must agree to the bit, whatever order threads finish in.
 TEST(Map, ValuesRepeatBitForBit) {
   const Fixture f = square(3, 7);
-  MapObjective objective(f.mesh, f.layout, asked_edges(f.mesh, f.joints, f.roles), {}, f.state, true);
+  MapObjective objective(f.mesh, f.layout, asked_edges(f.mesh, f.joints, f.roles), {}, f.state,
+                         true);
   objective.rho = 10;
   const Eigen::VectorXd x = objective.pack(f.state);
   const double first = objective.value(x);

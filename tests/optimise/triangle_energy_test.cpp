@@ -44,7 +44,9 @@ TEST_P(Energy, DerivativesMatchDifferencesAndHessianIsSymmetric) {
   const TriangleEnergy energy(GetParam());
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const Eigen::VectorXd x = random_state(energy, seed);
-    const auto value = [&](const Eigen::VectorXd& y) { return energy.value(net_of(y), domain_of(y)); };
+    const auto value = [&](const Eigen::VectorXd& y) {
+      return energy.value(net_of(y), domain_of(y));
+    };
     const auto slope = [&](const Eigen::VectorXd& y) {
       double f;
       Eigen::VectorXd g;

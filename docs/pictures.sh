@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# usage: docs/pictures.sh [BIN]      (BIN: build/release/bin/c1mesh)
+# Draws every example anew: docs/pictures/NAME.svg is what `c1mesh run examples/NAME.svg -o FOLDER`
+# writes as FOLDER/NAME.svg. Then the table of examples, docs/examples.md, and the picture of the
+# modules.
+set -euo pipefail
+bin=$(readlink -f "${1:-$(dirname "${BASH_SOURCE[0]}")/../build/release/bin/c1mesh}")
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+
+FORMATS=json,svg docs/battery.sh "$bin" "$out" examples/*.svg
+mkdir -p docs/pictures
+for picture in "$out"/*.svg; do
+  cp "$picture" docs/pictures/
+done
+python3 docs/tables.py examples "$out" >"$out/examples.md"
+cp "$out/examples.md" docs/examples.md
+python3 docs/architecture.py
