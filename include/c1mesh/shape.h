@@ -35,7 +35,7 @@ struct ReadOptions {
   int max_depth = 256;              ///< nesting of elements or arrays
 };
 
-/// Reads JSON (PRODUCT "Input") or SVG, told apart by content, from `path` ("-": standard input).
+/// Reads JSON (a list of curves with `poles`, or an object with it under "curves") or SVG, told apart by content, from `path` ("-": standard input).
 /// Throws InputError for content that cannot be used, FileError if the file cannot be opened.
 std::vector<Drawing> read_drawings(const std::string& path, const ReadOptions& options = {});
 

@@ -31,7 +31,7 @@ Roles place_exceptional(const CurvedMesh& mesh, const Joints& joints, const Role
 
 int count_exceptional(const Roles& roles);
 
-/// The fewest exceptional vertices of the region by PRODUCT's count (joints decide, not roles).
+/// The fewest exceptional vertices of the region (docs/vocabulary.md; joints decide, not roles).
 int minimum_exceptional(const Joints& joints);
 
 }  // namespace c1mesh

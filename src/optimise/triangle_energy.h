@@ -10,8 +10,8 @@
 namespace c1mesh {
 
 /// f(p, D) = mean(|J|^2) * mean_k(1 / d_k), J = M D^-1 the Jacobian of phi, d_k the Bernstein
-/// coefficients of det J: at least the mean MIPS distortion (2 for a similarity), infinite as soon as
-/// any coefficient reaches zero. Written as f = q h with q = <S(D), Q(p)>, Q = mean(M^T M),
+/// coefficients of det J. It lies between 2 (a similarity) and g(t) of eq. (4.5), and is infinite as
+/// soon as any coefficient reaches zero. Written as f = q h with q = <S(D), Q(p)>, Q = mean(M^T M),
 /// S = adj(D) adj(D)^T / det D and h = mean_k(1 / c_k), c_k the coefficients of det M.
 /// Derivatives are with respect to (p, vec D): x and y of control point k at 2k and 2k+1, then
 /// D00, D10, D01, D11.

@@ -42,7 +42,8 @@ TEST_P(Examples, AreDoneWithoutExceptionalVerticesBeyondTheMinimum) {
 
 INSTANTIATE_TEST_SUITE_P(All, Examples,
                          testing::Values("blob", "puzzle", "annulus", "spiral", "letter",
-                                         "clipart"));
+                                         "clipart"),
+                         [](const auto& test) { return std::string(test.param); });
 
 // Four convex corners over a quadrilateral: no exceptional vertex is needed (the paper's fig. 13).
 TEST(Pipeline, PuzzlePieceHasNoExceptionalVertex) {
