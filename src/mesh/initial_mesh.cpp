@@ -202,7 +202,7 @@ CurvedMesh initial_mesh(const MeshInput& input, const MeshOptions& options, Mesh
   if (!layer) {
     report = {};
     report.notes.push_back(
-        fmt::format("more than {} warp triangles: flatter ones and smaller angles were allowed",
+        fmt::format("more than {} warp triangles: flatter ones were allowed, angles were not asked for",
                     kManySegments));
     thrift = meshing::strict_thrift();
     layer = meshing::build_warp_layer(input, options.mips_bound, thrift, SIZE_MAX, report);

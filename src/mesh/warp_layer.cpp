@@ -302,7 +302,7 @@ Thrift usual_thrift() {
 }
 
 Thrift strict_thrift() {
-  return {3 * kDegree, 0, 0.3, 3 * kDegree, 3 * kDegree};
+  return {kDegree, 0, 0.3, 0, 0};
 }
 
 std::optional<std::vector<std::vector<WarpSegment>>> build_warp_layer(const MeshInput& input,

@@ -39,6 +39,12 @@ class Ladder {
 
   RegionSolution climb() {
     RegionSolution out;
+    if (coarse_.mesh.triangle_count() > kSearchable) {
+      write(out);
+      out.remedies.push_back(
+          fmt::format("more than {} triangles: no search for a C1 map", kSearchable));
+      return out;
+    }
     try {
       search();
       if (!best_.variant) release_joints();
@@ -226,6 +232,7 @@ class Ladder {
   }
 
   static constexpr long kWork = 12000;
+  static constexpr int kSearchable = 20000;
   static constexpr int kRefinable = 300;  // larger meshes are not refined as a whole
   const Options& options_;
   const Checkpoint& checkpoint_;
