@@ -82,7 +82,8 @@ Attempt attempt_start(const CurvedMesh& mesh, const DomainLayout& layout, const 
     if (!(determinant_of(e, points) > 0))
       for (int v : e.points)
         if (v < mesh.vertex_count()) out.report.inverted.push_back(v);
-  if (!out.report.inverted.empty() || !winds_once(mesh, points)) return out;
+  if (out.report.inverted.empty()) out.report.inverted = winding_faults(mesh, points);
+  if (!out.report.inverted.empty()) return out;
 
   const NewtonReport first =
       newton(objective, x, {options.newton_iterations, 1e-4}, checkpoint);
@@ -94,7 +95,8 @@ Attempt attempt_start(const CurvedMesh& mesh, const DomainLayout& layout, const 
   out.unknowns = unflatten(x);
   normalise_domain(mesh, layout, out.unknowns);
   const PointMatrix final_points = layout.exact * out.unknowns;
-  out.report.valid = winds_once(mesh, final_points);
+  out.report.inverted = winding_faults(mesh, final_points);
+  out.report.valid = out.report.inverted.empty();
   out.report.crossings = boundary_crossings(mesh, final_points);
   for (const DomainElement& e : elements.all)
     out.report.largest =

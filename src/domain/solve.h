@@ -22,7 +22,7 @@ struct DomainReport {
   double energy = 0;         ///< the exponent-1 objective reached
   double largest = 0;        ///< the largest element energy
   int untangle_iterations = 0, newton_iterations = 0;
-  std::vector<int> inverted; ///< vertices of elements that stayed inverted
+  std::vector<int> inverted; ///< vertices of inverted elements, or wound wrongly
 };
 
 /// The domain's state: what the joint stage starts from.

@@ -161,7 +161,7 @@ PointMatrix start_positions(const CurvedMesh& mesh, const Joints& joints, const 
   return unknowns;
 }
 
-bool winds_once(const CurvedMesh& mesh, const PointMatrix& points) {
+std::vector<int> winding_faults(const CurvedMesh& mesh, const PointMatrix& points) {
   std::vector<double> angle(mesh.vertex_count(), 0);
   for (const auto& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
@@ -173,9 +173,10 @@ bool winds_once(const CurvedMesh& mesh, const PointMatrix& points) {
   for (const auto& loop : mesh.loops)
     for (const BoundaryEdge& e : loop) boundary[e.a] = 1;
   const double full = 2 * std::numbers::pi;
+  std::vector<int> faults;
   for (int v = 0; v < mesh.vertex_count(); ++v)
-    if (boundary[v] ? angle[v] > full : std::abs(angle[v] - full) > 1e-3) return false;
-  return true;
+    if (boundary[v] ? angle[v] > full : std::abs(angle[v] - full) > 1e-3) faults.push_back(v);
+  return faults;
 }
 
 int boundary_crossings(const CurvedMesh& mesh, const PointMatrix& points) {

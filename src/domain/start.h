@@ -24,9 +24,9 @@ PointMatrix start_positions(const CurvedMesh& mesh, const Joints& joints, const 
 PointMatrix unknowns_of_points(const PointMatrix& points, const Joints& joints,
                                const DomainLayout& layout);
 
-/// True if every interior vertex is wound once and every boundary vertex less than once, given that
-/// all triangles are positive. Positive triangles alone do not give this.
-bool winds_once(const CurvedMesh& mesh, const PointMatrix& points);
+/// Interior vertices not wound exactly once and boundary vertices wound more than once, given that
+/// all triangles are positive. Positive triangles alone do not exclude them.
+std::vector<int> winding_faults(const CurvedMesh& mesh, const PointMatrix& points);
 
 /// Pairs of crossing boundary edges of the domain (the domain overlaps itself in the plane).
 int boundary_crossings(const CurvedMesh& mesh, const PointMatrix& points);

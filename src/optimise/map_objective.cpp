@@ -168,7 +168,8 @@ double MapObjective::value(const Eigen::VectorXd& x) const {
   parallel_for(parts.size(), [&](std::size_t t) {
     const double f = energy_.value(net_at(static_cast<int>(t), x),
                                    triangle_matrix(domain, mesh_.triangles[t]));
-    parts[t] = triangle_weight_[t] * (exponent == 1 ? f : std::pow(f, exponent));
+    parts[t] = triangle_weight_[t] *
+               (exponent == 1 ? f : reference * std::pow(f / reference, exponent));
   });
   double sum = 0;
   for (double part : parts) sum += part;
@@ -180,6 +181,16 @@ double MapObjective::value(const Eigen::VectorXd& x) const {
   }
   if (!std::isfinite(sum)) return kInfinite;
   return sum + penalty(x, domain);
+}
+
+double MapObjective::largest(const Eigen::VectorXd& x) const {
+  const PointMatrix domain = domain_points(x);
+  std::vector<double> f(mesh_.triangle_count());
+  parallel_for(f.size(), [&](std::size_t t) {
+    f[t] = energy_.value(net_at(static_cast<int>(t), x),
+                         triangle_matrix(domain, mesh_.triangles[t]));
+  });
+  return *std::max_element(f.begin(), f.end());
 }
 
 void MapObjective::add_triangle(int t, const Local& local, Eigen::VectorXd& gradient) const {
@@ -321,12 +332,13 @@ double MapObjective::derivatives(const Eigen::VectorXd& x, Eigen::VectorXd& grad
       local.hessian = local.hessian.topLeftCorner(P, P).eval();
     }
     if (exponent != 1) {
-      const double p = exponent, f = local.value, power = std::pow(f, p - 2);
-      local.hessian =
-          p * power *
-          (f * local.hessian + (p - 1) * local.gradient * local.gradient.transpose());
+      // r (f/r)^p: slope p (f/r)^(p-1), curvature p (p-1) (f/r)^(p-2) / r.
+      const double p = exponent, f = local.value / reference, power = std::pow(f, p - 2);
+      local.hessian = p * power *
+                      (f * local.hessian + (p - 1) / reference * local.gradient *
+                                               local.gradient.transpose());
       local.gradient *= p * power * f;
-      local.value = power * f * f;
+      local.value = reference * power * f * f;
     }
     project_to_semidefinite(local.hessian);
     local.gradient *= triangle_weight_[t];

@@ -18,7 +18,7 @@ struct MapState {
   std::vector<Point> control;  ///< all control points
 };
 
-/// sum_t weight_t f_t^exponent + sum of `extras` + sum_e weight_e (rho/2 |d_ei|^2 + m_ei . d_ei).
+/// sum_t weight_t reference (f_t / reference)^exponent + sum of `extras` + sum_e weight_e (rho/2 |d_ei|^2 + m_ei . d_ei).
 class MapObjective : public Objective {
  public:
   /// `asked`: the edges across which C1 is wanted. `extras`: wedges and the like, over the layout.
@@ -27,6 +27,7 @@ class MapObjective : public Objective {
                std::vector<DomainElement> extras, const MapState& state, bool domain_free);
 
   double exponent = 1;
+  double reference = 1;  ///< f^exponent is taken as reference (f / reference)^exponent
   double rho = 0;
   std::vector<Point> multipliers;  ///< one per equation, empty: none
 
@@ -41,6 +42,8 @@ class MapObjective : public Objective {
   const std::vector<C1Edge>& edges() const { return edges_; }
   PointMatrix domain_points(const Eigen::VectorXd& x) const;
   const std::vector<char>& fixed() const { return fixed_; }
+  /// The largest f_t.
+  double largest(const Eigen::VectorXd& x) const;
 
  private:
   struct Local {

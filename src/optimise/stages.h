@@ -36,6 +36,8 @@ struct ExactOptions {
   int iterations = 12;                     ///< Newton steps for each rho
   int multiplier_rounds = 12;
   double exponent = 1;
+  double good_enough = 20;                 ///< g above which the p-norms below are worth their time
+  double final_exponent = 8;               ///< p-norms 2, 4, … up to this lower the largest g
   double give_up_residue = 1e-3;           ///< residue at the end of the continuation: no hope
 };
 

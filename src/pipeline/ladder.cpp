@@ -145,7 +145,7 @@ class Ladder {
         prefix = "refined 1 to 4";
       }
     }
-    if (give_up_more(*last, roles_on(coarse_.joints, roles, last->joints), 4, prefix)) return;
+    if (give_up_more(*last, roles_on(coarse_.joints, roles, last->joints), 1, 16, prefix)) return;
   }
 
   // On the mesh as it was, ever more vertices near the trouble, at last every joint. A budget of its
@@ -153,7 +153,9 @@ class Ladder {
   void release_joints() {
     work_ = attempts_ = 0;
     Roles roles = first_roles_;
-    if (give_up_more(coarse_, roles, 1 << 20, "") || best_.variant) return;
+    const int first = 1 + coarse_.mesh.triangle_count() / 200;
+    give_up_more(coarse_, roles, first, 1 << 20, "");
+    if (best_.variant) return;
     demote_all_joints(coarse_.joints, roles);
     work_ = attempts_ = 0;
     attempt(coarse_, roles, 30, "every joint exceptional");
@@ -165,11 +167,12 @@ class Ladder {
            attempt(variant, roles, 300, how + ", wedge weight 300");
   }
 
-  // One more exceptional vertex, then two, four, … up to `most` at a time, near where the last try
-  // failed.
-  bool give_up_more(Variant& variant, Roles roles, int most, const std::string& prefix) {
+  // `first` more exceptional vertices, then twice as many, … up to `most` at a time, near where the
+  // last try failed.
+  bool give_up_more(Variant& variant, Roles roles, int first, int most,
+                    const std::string& prefix) {
     int total = 0;
-    for (int count = 1; count <= most; count *= 2) {
+    for (int count = first; count <= most; count *= 2) {
       if (best_.variant && (options_.exceptional >= 0 || best_.variant != &variant))
         return true;
       const int changed = demote_near(variant.mesh, variant.joints, last_.trouble, count, roles);
