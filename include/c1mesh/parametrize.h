@@ -14,10 +14,10 @@ namespace c1mesh {
 struct Outcome {
   Result result;
   VerifyReport report;
-  bool within_bounds = false;          ///< all that was asked holds (exit status 0, else 4)
-  bool gave_up = false;                ///< some region keeps C1 at no boundary vertex (last resort)
-  bool time_limit_hit = false;         ///< the best state so far was taken (exit status 5)
-  std::vector<std::string> remedies;   ///< what the run had to give up or try, in order
+  bool within_bounds = false;         ///< all that was asked holds (exit status 0, else 4)
+  bool gave_up = false;               ///< some region keeps C1 at no boundary vertex (last resort)
+  bool time_limit_hit = false;        ///< the best state so far was taken (exit status 5)
+  std::vector<std::string> remedies;  ///< what the run had to give up or try, in order
   /// By stage; not part of the result, whose bytes must not depend on the clock.
   std::vector<std::pair<std::string, double>> seconds;
 };

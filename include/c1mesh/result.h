@@ -31,16 +31,16 @@ struct Spread {
 /// What the program measured; lengths relative to the larger side of the bounding box.
 struct Metrics {
   int triangles = 0;
-  Spread d_ei;                        ///< over the edges where C1 is asked
+  Spread d_ei;  ///< over the edges where C1 is asked
   Spread gradient_angle_deg, gradient_magnitude;
-  double mips_bound_max = 0;          ///< max over triangles of g(t) = max n_i / min d_i (eq. 4.5)
-  double min_det_coefficient = 0;     ///< least Bernstein coefficient of det J
+  double mips_bound_max = 0;       ///< max over triangles of g(t) = max n_i / min d_i (eq. 4.5)
+  double min_det_coefficient = 0;  ///< least Bernstein coefficient of det J
   double conformance_max = 0;
   int exceptional = 0;
   int exceptional_minimum = 0;        ///< by convex and reflex corners (docs/vocabulary.md)
   int exceptional_minimum_paper = 0;  ///< max(0, 3 - corners) per loop, the paper's count
   int surplus = 0;                    ///< exceptional - exceptional_minimum
-  double flatness_ratio = 1;          ///< smooth boundary vertices that are flat, of all smooth ones
+  double flatness_ratio = 1;  ///< smooth boundary vertices that are flat, of all smooth ones
   bool domain_overlaps = false;
   std::vector<std::pair<std::string, double>> seconds;  ///< by stage
 };

@@ -25,18 +25,19 @@ struct Drawing {
   std::string name;                ///< result name without directory or extension
   std::vector<InputCurve> curves;  ///< in file order; nothing is checked yet except syntax
   FillRule fill_rule = FillRule::even_odd;
-  std::vector<Defect> notes;       ///< conversions made while reading (arc error, closed subpaths)
+  std::vector<Defect> notes;  ///< conversions made while reading (arc error, closed subpaths)
 };
 
 struct ReadOptions {
-  bool together = false;            ///< SVG: the whole drawing as one arrangement
+  bool together = false;  ///< SVG: the whole drawing as one arrangement
   std::size_t max_bytes = 200'000'000;
   std::size_t max_curves = 1'000'000;
-  int max_depth = 256;              ///< nesting of elements or arrays
+  int max_depth = 256;  ///< nesting of elements or arrays
 };
 
-/// Reads JSON (a list of curves with `poles`, or an object with it under "curves") or SVG, told apart by content, from `path` ("-": standard input).
-/// Throws InputError for content that cannot be used, FileError if the file cannot be opened.
+/// Reads JSON (a list of curves with `poles`, or an object with it under "curves") or SVG, told
+/// apart by content, from `path` ("-": standard input). Throws InputError for content that cannot
+/// be used, FileError if the file cannot be opened.
 std::vector<Drawing> read_drawings(const std::string& path, const ReadOptions& options = {});
 
 /// As above, from text already in memory; `name` names the drawings.
@@ -74,7 +75,7 @@ struct Shape {
   std::vector<BezierCurve> curves;     ///< input units and degree, after repairs, direction as read
   std::vector<std::string> curve_ids;  ///< per curve
   std::vector<Region> regions;
-  std::vector<Defect> notes;           ///< repairs and notes of reading and checking
+  std::vector<Defect> notes;  ///< repairs and notes of reading and checking
   Frame frame;
 
   int highest_degree() const;

@@ -8,8 +8,8 @@
 
 namespace c1mesh {
 
-/// A point or vector of the plane. In a Drawing, a Shape's `curves` and a Result: the input's units,
-/// y upward. Inside the pipeline: the normalised frame (see Frame).
+/// A point or vector of the plane. In a Drawing, a Shape's `curves` and a Result: the input's
+/// units, y upward. Inside the pipeline: the normalised frame (see Frame).
 using Point = Eigen::Vector2d;
 
 /// A planar polynomial Bezier curve of degree `poles.size() - 1` over t in [0, 1].
@@ -22,6 +22,8 @@ struct BezierCurve {
 };
 
 /// The twist-free cross product a.x b.y - a.y b.x: twice the signed area of the triangle 0, a, b.
-inline double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double cross(const Point& a, const Point& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 }  // namespace c1mesh

@@ -14,26 +14,26 @@ enum class Verdict { valid, invalid, undecided };
 
 /// One thing that was looked at.
 struct VerifyItem {
-  std::string name;     ///< "topology", "coverage", "conformance", "boundary simple",
-                        ///< "domain orientation", "regularity", "C1", "exceptional vertices", …
+  std::string name;  ///< "topology", "coverage", "conformance", "boundary simple",
+                     ///< "domain orientation", "regularity", "C1", "exceptional vertices", …
   Verdict verdict = Verdict::undecided;
   std::string message;  ///< what was found, with ids
 };
 
 struct VerifyOptions {
-  double c1_tolerance = 1e-11;          ///< on d_ei relative to the extent, plus coordinate rounding
-  double conformance_tolerance = 1e-13; ///< relative to the extent, plus coordinate rounding
-  int max_subdivision = 60;             ///< depth of bisection before rationals decide
+  double c1_tolerance = 1e-11;  ///< on d_ei relative to the extent, plus coordinate rounding
+  double conformance_tolerance = 1e-13;  ///< relative to the extent, plus coordinate rounding
+  int max_subdivision = 60;              ///< depth of bisection before rationals decide
 };
 
 struct VerifyReport {
   std::vector<VerifyItem> items;
   Metrics metrics;  ///< recomputed from the result alone (`seconds` is empty)
 
-  bool regular() const;    ///< every triangle certified, domain orientation exact
+  bool regular() const;  ///< every triangle certified, domain orientation exact
   bool conforming() const;
-  bool c1() const;         ///< C1 everywhere but across relaxed edges
-  bool valid() const;      ///< every item valid
+  bool c1() const;     ///< C1 everywhere but across relaxed edges
+  bool valid() const;  ///< every item valid
 };
 
 /// Certifies a result from its data alone. Throws nothing for bad geometry: it is reported.

@@ -14,15 +14,14 @@ namespace c1mesh {
 template <class Number>
 using Poles = std::vector<std::array<Number, 2>>;
 
-/// The blossom (polar form) of the curve at (arguments[0], …, arguments[n-1]): one de Casteljau step
-/// per argument. Preconditions: arguments.size() == poles.size() - 1.
+/// The blossom (polar form) of the curve at (arguments[0], …, arguments[n-1]): one de Casteljau
+/// step per argument. Preconditions: arguments.size() == poles.size() - 1.
 template <class Number>
 std::array<Number, 2> blossom(Poles<Number> poles, const std::vector<Number>& arguments) {
   std::size_t last = poles.size() - 1;
   for (const Number& t : arguments) {
     for (std::size_t i = 0; i < last; ++i)
-      for (int k = 0; k < 2; ++k)
-        poles[i][k] = (Number(1) - t) * poles[i][k] + t * poles[i + 1][k];
+      for (int k = 0; k < 2; ++k) poles[i][k] = (Number(1) - t) * poles[i][k] + t * poles[i + 1][k];
     --last;
   }
   return poles[0];

@@ -15,9 +15,9 @@ namespace c1mesh {
 using Net = std::vector<Point>;
 
 /// Tables for one degree. With M_ij = [a_ij, b_ij], a_ij = p_(i+1)j - p_ij, b_ij = p_i(j+1) - p_ij
-/// for i+j < n, the derivative matrix over the unit triangle is n * sum_ij B_ij^(n-1) M_ij. Products
-/// of two Bernstein polynomials of degree n-1 are ones of degree 2n-2 with positive weights:
-/// B_a B_b = w_ab B_(a+b), w_ab = C(n-1; a) C(n-1; b) / C(2n-2; a+b) in multinomials.
+/// for i+j < n, the derivative matrix over the unit triangle is n * sum_ij B_ij^(n-1) M_ij.
+/// Products of two Bernstein polynomials of degree n-1 are ones of degree 2n-2 with positive
+/// weights: B_a B_b = w_ab B_(a+b), w_ab = C(n-1; a) C(n-1; b) / C(2n-2; a+b) in multinomials.
 class JacobianTables {
  public:
   /// The tables of degree n >= 1; built once, shared, thread-safe.
@@ -29,12 +29,13 @@ class JacobianTables {
   };
 
   int degree;
-  int net_size;                              ///< (n+1)(n+2)/2
-  int derivative_size;                       ///< n(n+1)/2 control vectors a_ij (and as many b_ij)
-  int det_size;                              ///< (2n-1)(2n)/2 coefficients
-  std::vector<int> origin, along_u, along_v; ///< per derivative: net index of p_ij, p_(i+1)j, p_i(j+1)
-  std::vector<std::vector<Product>> products;///< per coefficient: the ordered pairs that make it
-  Eigen::MatrixXd mass;                      ///< derivative_size^2: n^2 * 2 * integral of B_a B_b
+  int net_size;         ///< (n+1)(n+2)/2
+  int derivative_size;  ///< n(n+1)/2 control vectors a_ij (and as many b_ij)
+  int det_size;         ///< (2n-1)(2n)/2 coefficients
+  std::vector<int> origin, along_u,
+      along_v;  ///< per derivative: net index of p_ij, p_(i+1)j, p_i(j+1)
+  std::vector<std::vector<Product>> products;  ///< per coefficient: the ordered pairs that make it
+  Eigen::MatrixXd mass;                        ///< derivative_size^2: n^2 * 2 * integral of B_a B_b
 
  private:
   explicit JacobianTables(int n);

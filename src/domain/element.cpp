@@ -46,8 +46,7 @@ double element_value(const DomainElement& e, const Eigen::Matrix2d& D, double ex
   const InverseDeterminant inverse = InverseDeterminant::at(det, e.area, epsilon);
   if (!std::isfinite(inverse.value)) return inverse.value;
   const double norm = (D * e.metric).cwiseProduct(D).sum();
-  const double f =
-      (norm + e.balance * e.area) * inverse.value + e.balance * det / e.area;
+  const double f = (norm + e.balance * e.area) * inverse.value + e.balance * det / e.area;
   return std::pow(f, exponent);
 }
 

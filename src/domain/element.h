@@ -20,10 +20,10 @@ ElementColumns triangle_columns();
 struct DomainElement {
   std::array<int, 3> points{};  ///< rows of the layout
   ElementColumns columns = triangle_columns();
-  Eigen::Matrix2d metric;       ///< G, symmetric positive definite, area-free
-  double area = 1;              ///< reference det D, sets the scale
-  double balance = 0;           ///< weight of the area term within f
-  double weight = 1;            ///< weight of f^exponent in the sum
+  Eigen::Matrix2d metric;  ///< G, symmetric positive definite, area-free
+  double area = 1;         ///< reference det D, sets the scale
+  double balance = 0;      ///< weight of the area term within f
+  double weight = 1;       ///< weight of f^exponent in the sum
 };
 
 /// Value, gradient and Hessian with respect to vec D = (D00, D10, D01, D11).

@@ -15,9 +15,9 @@ namespace c1mesh {
 using PointMatrix = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
 struct DomainWeights {
-  double wedge = 30;        ///< of the wedge at each C1 corner, relative to a mean triangle
-  double exceptional = 0.1; ///< of the orientation wedge at exceptional vertices
-  double balance = 0.1;     ///< of the area term within each triangle's energy
+  double wedge = 30;         ///< of the wedge at each C1 corner, relative to a mean triangle
+  double exceptional = 0.1;  ///< of the orientation wedge at exceptional vertices
+  double balance = 0.1;      ///< of the area term within each triangle's energy
 };
 
 /// Which elements a DomainElement list holds, in order: first one per triangle, then the wedges.

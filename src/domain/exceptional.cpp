@@ -49,7 +49,8 @@ double distance(const LoopProfile& profile, int a, int b) {
 
 bool is_wanted_corner(const Joint& joint, Role role) {
   if (role == Role::exceptional) return true;
-  if (role == Role::released) return joint.kind == JointKind::corner && joint.convex() == (joint.loop == 0);
+  if (role == Role::released)
+    return joint.kind == JointKind::corner && joint.convex() == (joint.loop == 0);
   return role == Role::anchor && joint.kind == JointKind::corner &&
          joint.convex() == (joint.loop == 0);
 }
@@ -59,7 +60,8 @@ std::vector<int> taken_places(const std::vector<Joint>& joints, const std::vecto
                               bool wanted) {
   std::vector<int> out;
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    if (ends_chain(roles[k]) && is_wanted_corner(joints[k], roles[k]) == wanted) out.push_back(static_cast<int>(k));
+    if (ends_chain(roles[k]) && is_wanted_corner(joints[k], roles[k]) == wanted)
+      out.push_back(static_cast<int>(k));
   }
   return out;
 }
@@ -93,8 +95,8 @@ void place_by_curvature(const LoopProfile& profile, const std::vector<Joint>& jo
 void place_evenly(const LoopProfile& profile, const std::vector<Joint>& joints, int missing,
                   double offset, std::vector<Role>& roles) {
   const int m = static_cast<int>(joints.size());
-  const int start = static_cast<int>(
-      std::max_element(profile.bend.begin(), profile.bend.end()) - profile.bend.begin());
+  const int start = static_cast<int>(std::max_element(profile.bend.begin(), profile.bend.end()) -
+                                     profile.bend.begin());
   for (int c = 0; c < missing; ++c) {
     const double goal =
         std::fmod(profile.at[start] + (c + offset) * profile.length / missing, profile.length);
@@ -119,8 +121,7 @@ int missing_corners(const Joints& joints, const Roles& roles, int loop) {
   int have = 0;
   for (std::size_t k = 0; k < joints[loop].size(); ++k) {
     const Role role = roles[loop][k];
-    if (ends_chain(role) && is_wanted_corner(joints[loop][k], role))
-      ++have;
+    if (ends_chain(role) && is_wanted_corner(joints[loop][k], role)) ++have;
   }
   return std::max(0, 3 - have);
 }

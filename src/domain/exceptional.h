@@ -15,7 +15,8 @@ struct Place {
 };
 
 /// How many chain ends of the right kind a loop still lacks: max(0, 3 - convex corners) for the
-/// outer loop, max(0, 3 - reflex corners) for a hole, counting only C1 corners and exceptional ends.
+/// outer loop, max(0, 3 - reflex corners) for a hole, counting only C1 corners and exceptional
+/// ends.
 int missing_corners(const Joints& joints, const Roles& roles, int loop);
 
 enum class Placement {

@@ -20,10 +20,10 @@ struct Joint {
   int vertex = -1;
   int loop = -1, position = -1;  ///< position = index of the edge that leaves the vertex
   JointKind kind = JointKind::inside;
-  Point d0, d1;        ///< n (p_n - p_(n-1)) into and n (p_1 - p_0) out of the vertex
-  double ratio = 1;    ///< r = d0.d1 / |d0|^2; inside a curve exactly the parameter ratio
-  double kappa = 0;    ///< cross(d0, d1) / |d0|^2: d1 = r d0 + kappa J d0; 0 unless mild or corner
-  double turn = 0;     ///< signed turning angle, radians, positive to the left
+  Point d0, d1;      ///< n (p_n - p_(n-1)) into and n (p_1 - p_0) out of the vertex
+  double ratio = 1;  ///< r = d0.d1 / |d0|^2; inside a curve exactly the parameter ratio
+  double kappa = 0;  ///< cross(d0, d1) / |d0|^2: d1 = r d0 + kappa J d0; 0 unless mild or corner
+  double turn = 0;   ///< signed turning angle, radians, positive to the left
   bool convex() const { return turn > 0; }
 };
 

@@ -20,7 +20,8 @@ struct Chain {
   int loop, first, last;  // positions; last may exceed the loop's size (it wraps)
 };
 
-// The forms of the chain's edges, first to last (docs/method.md: e1 = r e0 + kappa w at a bent joint).
+// The forms of the chain's edges, first to last (docs/method.md: e1 = r e0 + kappa w at a bent
+// joint).
 std::vector<EdgeForm> edge_forms(const Chain& chain, const Joints& joints, const Roles& roles,
                                  const DomainLayout& layout) {
   const auto& loop = joints[chain.loop];

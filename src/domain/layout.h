@@ -21,8 +21,12 @@ enum class Role {
 };
 
 /// Is C1 given up at a vertex of this role? (Both kinds are exceptional vertices of the result.)
-inline bool gives_up_c1(Role role) { return role == Role::exceptional || role == Role::released; }
-inline bool ends_chain(Role role) { return role == Role::anchor || gives_up_c1(role); }
+inline bool gives_up_c1(Role role) {
+  return role == Role::exceptional || role == Role::released;
+}
+inline bool ends_chain(Role role) {
+  return role == Role::anchor || gives_up_c1(role);
+}
 
 /// roles[loop][position], aligned with Joints.
 using Roles = std::vector<std::vector<Role>>;
@@ -31,9 +35,9 @@ using Roles = std::vector<std::vector<Role>>;
 /// `bent_limit`) are anchors, slighter ones bent, the rest flat.
 Roles natural_roles(const Joints& joints, double bent_limit = 1e-2);
 
-/// The rows of two auxiliary points at a mild joint v: v + e0 and v + w, with e0 the incoming domain
-/// edge and w the vector of e1 = r e0 + kappa w. Over them the joint's gradient is well conditioned
-/// however slight the turn: it maps (e0, w) to (d0, J d0).
+/// The rows of two auxiliary points at a mild joint v: v + e0 and v + w, with e0 the incoming
+/// domain edge and w the vector of e1 = r e0 + kappa w. Over them the joint's gradient is well
+/// conditioned however slight the turn: it maps (e0, w) to (d0, J d0).
 struct Tips {
   int along = -1, across = -1;
 };
@@ -45,8 +49,8 @@ struct DomainLayout {
   Matrix exact;                     ///< the positions
   Matrix sparse;                    ///< without far, tiny entries of w: for Hessians only
   std::vector<int> unknown_of_row;  ///< per vertex: the unknown it is equal to, or -1 in a chain
-  std::vector<std::vector<Tips>> tips;        ///< [loop][position]; -1 where there are none
-  std::vector<std::vector<int>> bend_unknown; ///< [loop][position]: the unknown w, or -1
+  std::vector<std::vector<Tips>> tips;         ///< [loop][position]; -1 where there are none
+  std::vector<std::vector<int>> bend_unknown;  ///< [loop][position]: the unknown w, or -1
 
   int rows() const { return static_cast<int>(exact.rows()); }
   int unknowns() const { return static_cast<int>(exact.cols()); }

@@ -54,9 +54,9 @@ struct Attempt {
 
 // Where the start's least relative determinant is under `least_start` (a Tutte embedding underflows
 // long before it inverts): untangles with the holes filled. Then minimises without the filling.
-Attempt attempt_start(const CurvedMesh& mesh, const DomainLayout& layout, const DomainElements& elements,
-                      const DomainOptions& options, PointMatrix start, double least_start,
-                      const Checkpoint& checkpoint) {
+Attempt attempt_start(const CurvedMesh& mesh, const DomainLayout& layout,
+                      const DomainElements& elements, const DomainOptions& options,
+                      PointMatrix start, double least_start, const Checkpoint& checkpoint) {
   Attempt out;
   out.unknowns = std::move(start);
   normalise_domain(mesh, layout, out.unknowns);
@@ -85,8 +85,7 @@ Attempt attempt_start(const CurvedMesh& mesh, const DomainLayout& layout, const 
   if (out.report.inverted.empty()) out.report.inverted = winding_faults(mesh, points);
   if (!out.report.inverted.empty()) return out;
 
-  const NewtonReport first =
-      newton(objective, x, {options.newton_iterations, 1e-4}, checkpoint);
+  const NewtonReport first = newton(objective, x, {options.newton_iterations, 1e-4}, checkpoint);
   out.report.newton_iterations = first.iterations;
   out.report.energy = first.value;
   for (objective.exponent = 2; objective.exponent <= options.final_exponent;

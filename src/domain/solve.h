@@ -17,12 +17,12 @@ struct DomainOptions {
 };
 
 struct DomainReport {
-  bool valid = false;        ///< every triangle and wedge positive, wound once
-  int crossings = 0;         ///< pairs of crossing boundary edges
-  double energy = 0;         ///< the exponent-1 objective reached
-  double largest = 0;        ///< the largest element energy
+  bool valid = false;  ///< every triangle and wedge positive, wound once
+  int crossings = 0;   ///< pairs of crossing boundary edges
+  double energy = 0;   ///< the exponent-1 objective reached
+  double largest = 0;  ///< the largest element energy
   int untangle_iterations = 0, newton_iterations = 0;
-  std::vector<int> inverted; ///< vertices of inverted elements, or wound wrongly
+  std::vector<int> inverted;  ///< vertices of inverted elements, or wound wrongly
 };
 
 /// The domain's state: what the joint stage starts from.

@@ -62,12 +62,12 @@ void place_on_convex_polygon(const CurvedMesh& mesh, const Joints& joints, const
   const int m = static_cast<int>(loop.size());
   std::vector<double> length(m + 1, 0);
   for (int k = 0; k < m; ++k)
-    length[k + 1] = length[k] + (mesh.domain[loop[(k + 1) % m].vertex] -
-                                 mesh.domain[loop[k].vertex]).norm();
+    length[k + 1] =
+        length[k] + (mesh.domain[loop[(k + 1) % m].vertex] - mesh.domain[loop[k].vertex]).norm();
   std::vector<int> corners;
   for (int k = 0; k < m; ++k) {
-    const bool convex = loop[k].kind == JointKind::corner ? loop[k].convex()
-                                                          : roles[0][k] == Role::exceptional;
+    const bool convex =
+        loop[k].kind == JointKind::corner ? loop[k].convex() : roles[0][k] == Role::exceptional;
     if (ends_chain(roles[0][k]) && convex) corners.push_back(k);
   }
   const int count = static_cast<int>(corners.size());
@@ -75,8 +75,9 @@ void place_on_convex_polygon(const CurvedMesh& mesh, const Joints& joints, const
   auto on_circle = [&](int c) {
     // Between even spacing and spacing by length, so that no chord degenerates.
     const double even = double(c) / count;
-    const double by_length = (length[corners[c % count]] - length[corners[0]] +
-                              (c >= count ? length[m] : 0)) / length[m];
+    const double by_length =
+        (length[corners[c % count]] - length[corners[0]] + (c >= count ? length[m] : 0)) /
+        length[m];
     const double angle = std::numbers::pi * (even + by_length);
     return Point(radius * std::cos(angle), radius * std::sin(angle));
   };

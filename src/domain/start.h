@@ -15,7 +15,8 @@ enum class Start {
   convex,  ///< outer loop on a convex polygon, holes filled, Tutte's embedding
 };
 
-/// Values of the layout's unknowns. Chain vertices follow from the layout; triangles may be inverted.
+/// Values of the layout's unknowns. Chain vertices follow from the layout; triangles may be
+/// inverted.
 PointMatrix start_positions(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                             const DomainLayout& layout, Start start);
 

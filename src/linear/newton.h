@@ -29,8 +29,8 @@ struct NewtonOptions {
 struct NewtonReport {
   int iterations = 0;
   double value = 0;
-  double last_step = 0;   ///< step length of the last iteration
-  bool converged = false; ///< ended by the decrease, not by the iteration limit
+  double last_step = 0;    ///< step length of the last iteration
+  bool converged = false;  ///< ended by the decrease, not by the iteration limit
 };
 
 /// Called between iterations; throws to stop (cancellation, time limit).

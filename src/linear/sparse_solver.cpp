@@ -21,6 +21,8 @@ struct SparseSolver::State {
 
 SparseSolver::SparseSolver() : state_(std::make_unique<State>()) {
   state_->factor.cholmod().print = 0;
+  // LL^T also for small systems: LDL^T would factorise indefinite ones without a word.
+  state_->factor.cholmod().final_ll = 1;
 }
 SparseSolver::~SparseSolver() = default;
 SparseSolver::SparseSolver(SparseSolver&&) noexcept = default;

@@ -7,7 +7,8 @@
 
 namespace c1mesh {
 
-using SparseMatrix = Eigen::SparseMatrix<double>;  ///< column-major; symmetric ones keep the lower half
+using SparseMatrix =
+    Eigen::SparseMatrix<double>;  ///< column-major; symmetric ones keep the lower half
 
 /// Keeps the symbolic analysis while the sparsity pattern stays the same.
 class SparseSolver {
@@ -28,7 +29,8 @@ class SparseSolver {
 };
 
 /// Adds the smallest shift of the series base, 10 base, 100 base, … that makes the matrix positive
-/// definite (times the mean diagonal); returns false if even a dominating shift fails (NaN entries).
+/// definite (times the mean diagonal); returns false if even a dominating shift fails (NaN
+/// entries).
 bool factorise_shifted(SparseSolver& solver, const SparseMatrix& matrix, double base);
 
 }  // namespace c1mesh

@@ -28,8 +28,7 @@ Attempt attempt_region(const CurvedMesh& mesh, const Joints& joints, const Roles
   Attempt out;
   out.roles = roles;
   DomainReport report;
-  const DomainState domain =
-      solve_domain(mesh, joints, roles, options.domain, report, checkpoint);
+  const DomainState domain = solve_domain(mesh, joints, roles, options.domain, report, checkpoint);
   out.domain_valid = report.valid;
   out.crossings = report.crossings;
   out.energy = report.energy;
@@ -60,8 +59,8 @@ Attempt attempt_on_initial_domain(const CurvedMesh& mesh, const Joints& joints,
   MapState state{PointMatrix(mesh.vertex_count(), 2), mesh.control};
   for (int v = 0; v < mesh.vertex_count(); ++v)
     state.unknowns.row(layout.unknown_of_row[v]) = mesh.domain[v].transpose();
-  const ExactReport exact = make_exact(mesh, layout, asked_edges(mesh, joints, out.roles), options,
-                                       state, checkpoint);
+  const ExactReport exact =
+      make_exact(mesh, layout, asked_edges(mesh, joints, out.roles), options, state, checkpoint);
   finish(mesh, layout, state, exact, out);
   return out;
 }

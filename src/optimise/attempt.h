@@ -17,10 +17,10 @@ struct AttemptOptions {
 /// What one try reached.
 struct Attempt {
   bool domain_valid = false;
-  bool success = false;      ///< exactly C1 where asked, regular
-  int crossings = 0;         ///< of the domain's boundary
-  double energy = 0;         ///< of the domain stage
-  double g = 0;              ///< largest g(t), if success
+  bool success = false;  ///< exactly C1 where asked, regular
+  int crossings = 0;     ///< of the domain's boundary
+  double energy = 0;     ///< of the domain stage
+  double g = 0;          ///< largest g(t), if success
   Roles roles;
   PointMatrix domain;        ///< one point per mesh vertex
   PointMatrix domain_stage;  ///< what the domain stage left, if valid: a start for other tries

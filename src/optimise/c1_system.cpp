@@ -26,7 +26,9 @@ std::vector<int> row_controls(const CurvedMesh& mesh, int t, int k, int row) {
   return ids;
 }
 
-Point row(const PointMatrix& points, int r) { return points.row(r).transpose(); }
+Point row(const PointMatrix& points, int r) {
+  return points.row(r).transpose();
+}
 
 Eigen::Vector3d edge_barycentric(const C1Edge& e, const PointMatrix& domain) {
   return barycentric(row(domain, e.vertex[0]), row(domain, e.vertex[1]), row(domain, e.vertex[2]),

@@ -13,8 +13,8 @@
 
 namespace c1mesh {
 
-/// One interior edge (v0, v1) of t = (v0, v1, v2) and t' = (v1, v0, v3). Equations that say the same
-/// over auxiliary points (see joint_equations) have fewer than n entries in inner and outer.
+/// One interior edge (v0, v1) of t = (v0, v1, v2) and t' = (v1, v0, v3). Equations that say the
+/// same over auxiliary points (see joint_equations) have fewer than n entries in inner and outer.
 struct C1Edge {
   std::array<int, 4> vertex{};  ///< v0, v1, v2, v3
   std::vector<int> edge;        ///< n+1 control ids along the edge from v0 to v1: p_0i
@@ -29,7 +29,8 @@ std::vector<C1Edge> c1_edges(const CurvedMesh& mesh);
 
 /// At a mild joint the two boundary edges are nearly parallel and pin the gradient only weakly
 /// through the edges' own equations. These say it well: for every interior edge (v, j) there, the
-/// control point next to v is where the map (e0, w) -> (d0, J d0) sends (x_j - x_v) / n. Appends the auxiliary control points v + d0/n and v + J d0/n to `control`.
+/// control point next to v is where the map (e0, w) -> (d0, J d0) sends (x_j - x_v) / n. Appends
+/// the auxiliary control points v + d0/n and v + J d0/n to `control`.
 std::vector<C1Edge> joint_equations(const CurvedMesh& mesh, const Joints& joints,
                                     const DomainLayout& layout, std::vector<Point>& control);
 

@@ -166,10 +166,10 @@ double MapObjective::value(const Eigen::VectorXd& x) const {
   const PointMatrix domain = domain_points(x);
   std::vector<double> parts(mesh_.triangle_count());
   parallel_for(parts.size(), [&](std::size_t t) {
-    const double f = energy_.value(net_at(static_cast<int>(t), x),
-                                   triangle_matrix(domain, mesh_.triangles[t]));
-    parts[t] = triangle_weight_[t] *
-               (exponent == 1 ? f : reference * std::pow(f / reference, exponent));
+    const double f =
+        energy_.value(net_at(static_cast<int>(t), x), triangle_matrix(domain, mesh_.triangles[t]));
+    parts[t] =
+        triangle_weight_[t] * (exponent == 1 ? f : reference * std::pow(f / reference, exponent));
   });
   double sum = 0;
   for (double part : parts) sum += part;
@@ -187,8 +187,8 @@ double MapObjective::largest(const Eigen::VectorXd& x) const {
   const PointMatrix domain = domain_points(x);
   std::vector<double> f(mesh_.triangle_count());
   parallel_for(f.size(), [&](std::size_t t) {
-    f[t] = energy_.value(net_at(static_cast<int>(t), x),
-                         triangle_matrix(domain, mesh_.triangles[t]));
+    f[t] =
+        energy_.value(net_at(static_cast<int>(t), x), triangle_matrix(domain, mesh_.triangles[t]));
   });
   return *std::max_element(f.begin(), f.end());
 }
@@ -324,9 +324,8 @@ double MapObjective::derivatives(const Eigen::VectorXd& x, Eigen::VectorXd& grad
   std::vector<Local> locals(mesh_.triangle_count());
   parallel_for(locals.size(), [&](std::size_t t) {
     Local& local = locals[t];
-    energy_.derivatives(net_at(static_cast<int>(t), x),
-                        triangle_matrix(domain, mesh_.triangles[t]), local.value, local.gradient,
-                        local.hessian);
+    energy_.derivatives(net_at(static_cast<int>(t), x), triangle_matrix(domain, mesh_.triangles[t]),
+                        local.value, local.gradient, local.hessian);
     if (!domain_variables_) {
       local.gradient.conservativeResize(P);
       local.hessian = local.hessian.topLeftCorner(P, P).eval();
@@ -334,9 +333,9 @@ double MapObjective::derivatives(const Eigen::VectorXd& x, Eigen::VectorXd& grad
     if (exponent != 1) {
       // r (f/r)^p: slope p (f/r)^(p-1), curvature p (p-1) (f/r)^(p-2) / r.
       const double p = exponent, f = local.value / reference, power = std::pow(f, p - 2);
-      local.hessian = p * power *
-                      (f * local.hessian + (p - 1) / reference * local.gradient *
-                                               local.gradient.transpose());
+      local.hessian =
+          p * power *
+          (f * local.hessian + (p - 1) / reference * local.gradient * local.gradient.transpose());
       local.gradient *= p * power * f;
       local.value = reference * power * f * f;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The objective over the whole map: distortion of every curved triangle, C1 as a penalty, wedges and
-// domain quality. Variables: the domain's unknowns (optional) and the free control points.
+// The objective over the whole map: distortion of every curved triangle, C1 as a penalty, wedges
+// and domain quality. Variables: the domain's unknowns (optional) and the free control points.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,8 @@ struct MapState {
   std::vector<Point> control;  ///< all control points
 };
 
-/// sum_t weight_t reference (f_t / reference)^exponent + sum of `extras` + sum_e weight_e (rho/2 |d_ei|^2 + m_ei . d_ei).
+/// sum_t weight_t reference (f_t / reference)^exponent + sum of `extras` + sum_e weight_e (rho/2
+/// |d_ei|^2 + m_ei . d_ei).
 class MapObjective : public Objective {
  public:
   /// `asked`: the edges across which C1 is wanted. `extras`: wedges and the like, over the layout.

@@ -13,8 +13,8 @@ namespace c1mesh {
 std::vector<C1Edge> asked_edges(const CurvedMesh& mesh, const Joints& joints, const Roles& roles);
 
 struct JointOptions {
-  double rho = 100;            ///< C1 penalty, relative to the shape's area
-  double domain_quality = 0.3; ///< weight that keeps domain triangles near the domain stage's
+  double rho = 100;             ///< C1 penalty, relative to the shape's area
+  double domain_quality = 0.3;  ///< weight that keeps domain triangles near the domain stage's
   int iterations = 25;
   double exponent = 1;
 };
@@ -36,21 +36,22 @@ struct ExactOptions {
   int iterations = 12;                     ///< Newton steps for each rho
   int multiplier_rounds = 12;
   double exponent = 1;
-  double good_enough = 20;                 ///< g above which the p-norms below are worth their time
-  double final_exponent = 8;               ///< p-norms 2, 4, … up to this lower the largest g
-  double give_up_residue = 1e-3;           ///< residue at the end of the continuation: no hope
+  double good_enough = 20;        ///< g above which the p-norms below are worth their time
+  double final_exponent = 8;      ///< p-norms 2, 4, … up to this lower the largest g
+  double give_up_residue = 1e-3;  ///< residue at the end of the continuation: no hope
 };
 
 struct ExactReport {
   int iterations = 0;
-  double residue = 0;         ///< after the continuation
-  double final_residue = 0;   ///< after the projection
-  bool success = false;       ///< C1 to rounding, every Bernstein coefficient of det J positive
-  std::vector<int> trouble;   ///< mesh vertices where it failed, worst first
+  double residue = 0;        ///< after the continuation
+  double final_residue = 0;  ///< after the projection
+  bool success = false;      ///< C1 to rounding, every Bernstein coefficient of det J positive
+  std::vector<int> trouble;  ///< mesh vertices where it failed, worst first
 };
 
 /// Freezes the domain, drives the C1 residue to zero by a growing penalty and multipliers over the
-/// control points alone, then projects exactly. On failure `state` is what the continuation reached.
+/// control points alone, then projects exactly. On failure `state` is what the continuation
+/// reached.
 ExactReport make_exact(const CurvedMesh& mesh, const DomainLayout& layout,
                        const std::vector<C1Edge>& asked, const ExactOptions& options,
                        MapState& state, const Checkpoint& checkpoint);

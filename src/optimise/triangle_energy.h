@@ -10,9 +10,9 @@
 namespace c1mesh {
 
 /// f(p, D) = mean(|J|^2) * mean_k(1 / d_k), J = M D^-1 the Jacobian of phi, d_k the Bernstein
-/// coefficients of det J. It lies between 2 (a similarity) and g(t) of eq. (4.5), and is infinite as
-/// soon as any coefficient reaches zero. Written as f = q h with q = <S(D), Q(p)>, Q = mean(M^T M),
-/// S = adj(D) adj(D)^T / det D and h = mean_k(1 / c_k), c_k the coefficients of det M.
+/// coefficients of det J. It lies between 2 (a similarity) and g(t) of eq. (4.5), and is infinite
+/// as soon as any coefficient reaches zero. Written as f = q h with q = <S(D), Q(p)>, Q = mean(M^T
+/// M), S = adj(D) adj(D)^T / det D and h = mean_k(1 / c_k), c_k the coefficients of det M.
 /// Derivatives are with respect to (p, vec D): x and y of control point k at 2k and 2k+1, then
 /// D00, D10, D01, D11.
 class TriangleEnergy {
@@ -34,7 +34,8 @@ class TriangleEnergy {
                     Eigen::MatrixXd& hessian) const;
 
   const JacobianTables& tables_;
-  Eigen::MatrixXd uu_, uv_, vv_;  // stiffness: Q11 = sum uu_ij p_i.p_j, 2 Q12 = sum uv_ij p_i.p_j, …
+  Eigen::MatrixXd uu_, uv_,
+      vv_;  // stiffness: Q11 = sum uu_ij p_i.p_j, 2 Q12 = sum uv_ij p_i.p_j, …
 };
 
 /// Replaces a symmetric matrix by its nearest positive semi-definite one.

@@ -21,15 +21,12 @@ void add_boundary(const Shape& shape, const RegionSolution& region, const Offset
   for (std::size_t l = 0; l < region.mesh.loops.size(); ++l)
     for (std::size_t k = 0; k < region.mesh.loops[l].size(); ++k) {
       const BoundaryEdge& e = region.mesh.loops[l][k];
-      result.boundary_edges.push_back(
-          {e.a + at.vertex, e.b + at.vertex, e.curve, e.t0, e.t1});
-      const BezierCurve exact =
-          restrict_exactly(shape.curves[e.curve], e.t0, e.t1, result.degree);
+      result.boundary_edges.push_back({e.a + at.vertex, e.b + at.vertex, e.curve, e.t0, e.t1});
+      const BezierCurve exact = restrict_exactly(shape.curves[e.curve], e.t0, e.t1, result.degree);
       for (int i = 0; i <= result.degree; ++i)
         result.control_points[control[l][k][i] + at.control] = exact.poles[i];
       result.boundary_vertices.push_back(
-          {region.joints[l][k].vertex + at.vertex,
-           region.joints[l][k].kind == JointKind::corner});
+          {region.joints[l][k].vertex + at.vertex, region.joints[l][k].kind == JointKind::corner});
     }
 }
 

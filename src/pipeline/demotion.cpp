@@ -31,8 +31,8 @@ int demote_near(const CurvedMesh& mesh, const Joints& joints, const std::vector<
       if (gives_up_c1(roles[l][k])) continue;
       double nearest = std::numeric_limits<double>::infinity();
       for (int v : trouble)
-        nearest = std::min(nearest,
-                           (mesh.domain[v] - mesh.domain[joints[l][k].vertex]).norm() + 1e-3);
+        nearest =
+            std::min(nearest, (mesh.domain[v] - mesh.domain[joints[l][k].vertex]).norm() + 1e-3);
       order.emplace_back(nearest * reluctance(joints[l][k], roles[l][k]), l, k);
     }
   std::sort(order.begin(), order.end());

@@ -112,8 +112,8 @@ class Ladder {
     Roles best = place_exceptional(coarse_.mesh, coarse_.joints, natural, Placement::curvature);
     if (best == natural) return best;
     double lowest = std::numeric_limits<double>::infinity();
-    for (const Placement placement : {Placement::curvature, Placement::tips, Placement::spread,
-                                      Placement::shifted}) {
+    for (const Placement placement :
+         {Placement::curvature, Placement::tips, Placement::spread, Placement::shifted}) {
       const Roles roles = place_exceptional(coarse_.mesh, coarse_.joints, natural, placement);
       DomainReport report;
       DomainOptions settings;
@@ -148,8 +148,8 @@ class Ladder {
     if (give_up_more(*last, roles_on(coarse_.joints, roles, last->joints), 1, 16, prefix)) return;
   }
 
-  // On the mesh as it was, ever more vertices near the trouble, at last every joint. A budget of its
-  // own: what it reaches beats the last resort by far.
+  // On the mesh as it was, ever more vertices near the trouble, at last every joint. A budget of
+  // its own: what it reaches beats the last resort by far.
   void release_joints() {
     work_ = attempts_ = 0;
     Roles roles = first_roles_;
@@ -169,19 +169,17 @@ class Ladder {
 
   // `first` more exceptional vertices, then twice as many, … up to `most` at a time, near where the
   // last try failed.
-  bool give_up_more(Variant& variant, Roles roles, int first, int most,
-                    const std::string& prefix) {
+  bool give_up_more(Variant& variant, Roles roles, int first, int most, const std::string& prefix) {
     int total = 0;
     for (int count = first; count <= most; count *= 2) {
-      if (best_.variant && (options_.exceptional >= 0 || best_.variant != &variant))
-        return true;
+      if (best_.variant && (options_.exceptional >= 0 || best_.variant != &variant)) return true;
       const int changed = demote_near(variant.mesh, variant.joints, last_.trouble, count, roles);
       if (changed == 0) return false;
       total += changed;
       for (const double wedge : {30.0, 300.0}) {
-        if (attempt(variant, roles, wedge,
-                    fmt::format("{}{}{} more exceptional", prefix, prefix.empty() ? "" : ", ",
-                                total)))
+        if (attempt(
+                variant, roles, wedge,
+                fmt::format("{}{}{} more exceptional", prefix, prefix.empty() ? "" : ", ", total)))
           return true;
         if (last_.success) break;
       }

@@ -13,14 +13,14 @@ namespace c1mesh {
 
 /// A region's map, always valid; the remedies say what it took.
 struct RegionSolution {
-  CurvedMesh mesh;                        ///< domain and control points final
+  CurvedMesh mesh;  ///< domain and control points final
   Joints joints;
-  std::vector<int> exceptional;           ///< vertices, interior ones only in the last resort
+  std::vector<int> exceptional;  ///< vertices, interior ones only in the last resort
   std::vector<std::array<int, 2>> relaxed;
   double g = 0;
   std::vector<std::string> remedies;
-  bool gave_up = false;                   ///< the last resort: no boundary vertex keeps C1
-  bool interrupted = false;               ///< the time limit cut the search short
+  bool gave_up = false;      ///< the last resort: no boundary vertex keeps C1
+  bool interrupted = false;  ///< the time limit cut the search short
 };
 
 /// Thrown by a checkpoint when the time limit is reached.

@@ -37,7 +37,8 @@ void validate(const Options& options) {
 
 bool within(const Outcome& outcome, const Options& options) {
   const Metrics& m = outcome.result.metrics;
-  return outcome.report.valid() && !outcome.gave_up && m.mips_bound_max <= options.alpha * options.mips_bound &&
+  return outcome.report.valid() && !outcome.gave_up &&
+         m.mips_bound_max <= options.alpha * options.mips_bound &&
          (options.exceptional < 0 || m.exceptional <= options.exceptional);
 }
 
@@ -62,8 +63,8 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
     tell("initial mesh", 0);
     Clock stage;
     MeshReport report;
-    const CurvedMesh mesh =
-        initial_mesh(region_input(shape, static_cast<int>(r), degree), {options.mips_bound}, report);
+    const CurvedMesh mesh = initial_mesh(region_input(shape, static_cast<int>(r), degree),
+                                         {options.mips_bound}, report);
     mesh_seconds += stage.seconds();
     outcome.remedies.insert(outcome.remedies.end(), report.notes.begin(), report.notes.end());
 
@@ -86,7 +87,9 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
   outcome.result = assemble_result(shape, regions, options, degree);
   outcome.report = verify(outcome.result, shape);
   outcome.result.metrics = outcome.report.metrics;
-  outcome.seconds = {{"mesh", mesh_seconds}, {"map", map_seconds}, {"verify", stage.seconds()},
+  outcome.seconds = {{"mesh", mesh_seconds},
+                     {"map", map_seconds},
+                     {"verify", stage.seconds()},
                      {"total", clock.seconds()}};
   outcome.within_bounds = within(outcome, options);
   if (progress) progress("done", 1);

@@ -122,7 +122,7 @@ class PathParser {
   }
 
   Point point_then_comma() {
-    const Point p = point();
+    Point p = point();
     in_.skip_comma();
     return p;
   }

@@ -3,6 +3,7 @@
 
 #include <Eigen/QR>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <random>
 
 #include "finite_differences.h"
@@ -54,29 +55,55 @@ TEST_P(C1Degrees, AffineMapsHaveNoResidue) {
   EXPECT_GT(largest_residue(edges, domain, mesh.control), 1e-4);
 }
 
-// Solution space of the homogeneous system with the boundary's control points held at zero, per
-// coordinate. Cubic: 2 V_interior + V_flat + 1 - holes (no exceptional vertex). For the m x m
-// square the boundary has 4 true corners and 4 (m - 1) flat vertices.
+// Dimension per coordinate of the cubic solutions with the boundary's control points at zero, over
+// the edges without an end in `exceptional`.
+int solution_dimension(const CurvedMesh& mesh, const std::vector<int>& exceptional) {
+  std::vector<C1Edge> edges;
+  for (const C1Edge& e : c1_edges(mesh))
+    if (std::none_of(exceptional.begin(), exceptional.end(),
+                     [&](int v) { return e.vertex[0] == v || e.vertex[1] == v; }))
+      edges.push_back(e);
+  const auto A = c1_matrix(edges, domain_matrix(mesh), int(mesh.control.size()));
+  std::vector<char> fixed(mesh.control.size(), 0);
+  for (const auto& loop : boundary_control(mesh))
+    for (const auto& edge : loop)
+      for (int id : edge) fixed[id] = 1;
+  Eigen::MatrixXd dense(A.rows(), 0);
+  for (int k = 0; k < A.cols(); ++k)
+    if (!fixed[k]) {
+      dense.conservativeResize(Eigen::NoChange, dense.cols() + 1);
+      dense.col(dense.cols() - 1) = A.col(k);
+    }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(dense);
+  int rank = 0;
+  for (double s : svd.singularValues()) rank += s > 1e-9 * svd.singularValues()[0];
+  return static_cast<int>(dense.cols()) - rank;
+}
+
+// Without exceptional vertices: 2 V_interior + V_flat + 1. The m x m square has 4 true corners and
+// 4 (m - 1) flat vertices.
 TEST(C1System, DimensionOfTheCubicSolutionSpace) {
   for (int m : {2, 3, 4}) {
     const CurvedMesh mesh = jittered_square(3, m, 10 + m);
-    const auto A = c1_matrix(c1_edges(mesh), domain_matrix(mesh), int(mesh.control.size()));
-    std::vector<char> fixed(mesh.control.size(), 0);
-    for (const auto& loop : boundary_control(mesh))
-      for (const auto& edge : loop)
-        for (int id : edge) fixed[id] = 1;
-    Eigen::MatrixXd dense(A.rows(), 0);
-    for (int k = 0; k < A.cols(); ++k)
-      if (!fixed[k]) {
-        dense.conservativeResize(Eigen::NoChange, dense.cols() + 1);
-        dense.col(dense.cols() - 1) = A.col(k);
-      }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(dense);
-    int rank = 0;
-    for (double s : svd.singularValues()) rank += s > 1e-9 * svd.singularValues()[0];
-    const int interior = (m - 1) * (m - 1), flat = 4 * (m - 1);
-    EXPECT_EQ(dense.cols() - rank, 2 * interior + flat + 1) << "m = " << m;
+    EXPECT_EQ(solution_dimension(mesh, {}), 2 * (m - 1) * (m - 1) + 4 * (m - 1) + 1) << "m = " << m;
   }
+}
+
+// Each hole takes one away: the 5 x 5 square without its middle cell has four corners of its own.
+TEST(C1System, DimensionWithAHole) {
+  const CurvedMesh mesh = testing_tools::jittered_square_with_hole(3, 5, 4);
+  const int interior = 16 - 4, flat = 16;
+  EXPECT_EQ(solution_dimension(mesh, {}), 2 * interior + flat + 1 - 1);
+}
+
+// With every edge at an exceptional vertex relaxed, their middle equations fall away too: one more
+// for each of those edges than the (triangles - 1) of the least relaxation, less what they imply.
+TEST(C1System, RelaxingEdgesOnlyAddsSolutions) {
+  const CurvedMesh mesh = jittered_square(3, 3, 8);
+  const int before = solution_dimension(mesh, {});
+  const int at_corner = solution_dimension(mesh, {0});
+  EXPECT_GT(at_corner, before);
+  EXPECT_GT(solution_dimension(mesh, {0, 15}), at_corner);
 }
 
 TEST_P(C1Degrees, ProjectionReachesRoundingAndKeepsTheFixedPoints) {

@@ -56,21 +56,29 @@ inline CurvedMesh straight_mesh(int n, const std::vector<Point>& vertices,
   return mesh;
 }
 
-/// The unit square [0,1]^2 cut into m x m cells, diagonals alternating, inner vertices jittered.
-inline CurvedMesh jittered_square(int n, int m, unsigned seed, double jitter = 0.2) {
+/// The unit square [0,1]^2 cut into m x m cells, diagonals alternating, inner vertices jittered;
+/// with `hole`, m odd, the middle cell is left out and its corners are not jittered.
+inline CurvedMesh jittered_square(int n, int m, unsigned seed, double jitter = 0.2,
+                                  bool hole = false) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> shift(-jitter / m, jitter / m);
+  const int middle = m / 2;
+  const auto in_hole = [&](int x, int y) {
+    return hole && (x == middle || x == middle + 1) && (y == middle || y == middle + 1);
+  };
   std::vector<Point> vertices;
   for (int y = 0; y <= m; ++y)
     for (int x = 0; x <= m; ++x) {
       Point p(double(x) / m, double(y) / m);
-      if (x > 0 && x < m && y > 0 && y < m) p += Point(shift(random), shift(random));
+      if (x > 0 && x < m && y > 0 && y < m && !in_hole(x, y))
+        p += Point(shift(random), shift(random));
       vertices.push_back(p);
     }
   const auto id = [m](int x, int y) { return y * (m + 1) + x; };
   std::vector<std::array<int, 3>> triangles;
   for (int y = 0; y < m; ++y)
     for (int x = 0; x < m; ++x) {
+      if (hole && x == middle && y == middle) continue;
       const int a = id(x, y), b = id(x + 1, y), c = id(x + 1, y + 1), d = id(x, y + 1);
       if ((x + y) % 2 == 0) {
         triangles.push_back({a, b, c});
@@ -80,12 +88,19 @@ inline CurvedMesh jittered_square(int n, int m, unsigned seed, double jitter = 0
         triangles.push_back({b, c, d});
       }
     }
-  std::vector<int> loop;
-  for (int k = 0; k < m; ++k) loop.push_back(id(k, 0));
-  for (int k = 0; k < m; ++k) loop.push_back(id(m, k));
-  for (int k = m; k > 0; --k) loop.push_back(id(k, m));
-  for (int k = m; k > 0; --k) loop.push_back(id(0, k));
-  return straight_mesh(n, vertices, triangles, {loop});
+  std::vector<std::vector<int>> loops(1);
+  for (int k = 0; k < m; ++k) loops[0].push_back(id(k, 0));
+  for (int k = 0; k < m; ++k) loops[0].push_back(id(m, k));
+  for (int k = m; k > 0; --k) loops[0].push_back(id(k, m));
+  for (int k = m; k > 0; --k) loops[0].push_back(id(0, k));
+  if (hole)
+    loops.push_back({id(middle, middle), id(middle, middle + 1), id(middle + 1, middle + 1),
+                     id(middle + 1, middle)});
+  return straight_mesh(n, vertices, triangles, loops);
+}
+
+inline CurvedMesh jittered_square_with_hole(int n, int m, unsigned seed) {
+  return jittered_square(n, m, seed, 0.2, true);
 }
 
 }  // namespace c1mesh::testing_tools
