@@ -130,6 +130,7 @@ class Ladder {
   void search() {
     const Roles roles = first_roles_ = placed_roles();
     if (attempt(coarse_, roles, 30, "")) return;
+    if (attempt(coarse_, roles, 300, "wedge weight 300")) return;
     Variant* last = &coarse_;
     std::string prefix;
     if (has_c1_corner(coarse_.joints, roles)) {
