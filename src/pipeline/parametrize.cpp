@@ -33,6 +33,8 @@ void validate(const Options& options) {
     throw std::invalid_argument("degree must be from 3 to 20");
   if (!(options.corner_angle >= 0 && options.corner_angle <= 180))
     throw std::invalid_argument("corner_angle must be from 0 to 180 degrees");
+  if (!(options.time_limit >= 0)) throw std::invalid_argument("time_limit must not be negative");
+  if (options.threads < 0) throw std::invalid_argument("threads must not be negative");
 }
 
 bool within(const Outcome& outcome, const Options& options) {
