@@ -54,8 +54,8 @@ TEST_P(SubNet, IsExactInRationals) {
       const Weights inside = {mpq_class(n - i - j) / n, mpq_class(i) / n, mpq_class(j) / n};
       Weights outside;
       for (int k = 0; k < 3; ++k)
-        outside[k] = inside[0] * mpq_class(a[k]) + inside[1] * mpq_class(b[k]) +
-                     inside[2] * mpq_class(c[k]);
+        outside[k] =
+            inside[0] * mpq_class(a[k]) + inside[1] * mpq_class(b[k]) + inside[2] * mpq_class(c[k]);
       for (int axis = 0; axis < 2; ++axis)
         EXPECT_EQ(value(part, n, inside, axis), value(net, n, outside, axis));
     }
