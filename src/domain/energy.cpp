@@ -133,11 +133,4 @@ double determinant_of(const DomainElement& element, const PointMatrix& points) {
   return D(0, 0) * D(1, 1) - D(1, 0) * D(0, 1);
 }
 
-double least_determinant(const std::vector<DomainElement>& elements, const PointMatrix& points) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const DomainElement& e : elements)
-    least = std::min(least, determinant_of(e, points) / e.area);
-  return least;
-}
-
 }  // namespace c1mesh

@@ -35,7 +35,4 @@ DomainElements domain_elements(const CurvedMesh& mesh, const Joints& joints, con
 Eigen::Matrix2d columns_of(const DomainElement& element, const PointMatrix& points);
 double determinant_of(const DomainElement& element, const PointMatrix& points);
 
-/// The least relative determinant (det D / area) over the elements.
-double least_determinant(const std::vector<DomainElement>& elements, const PointMatrix& points);
-
 }  // namespace c1mesh

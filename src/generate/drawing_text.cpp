@@ -7,25 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/xml.h"
 #include "c1mesh/generate.h"
 
 namespace c1mesh {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 // Ids that are plain integers are written as such, the form other programs use.
 std::string json_id(const std::string& id) {
@@ -98,7 +84,7 @@ std::string drawing_svg(const Drawing& drawing) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{:.6g} {:.6g} {:.6g} {:.6g}\">\n"
       "<title>{}</title>\n<path fill-rule=\"{}\" d=\"{}\"/>\n</svg>\n",
       low.x() - margin, -high.y() - margin, high.x() - low.x() + 2 * margin,
-      high.y() - low.y() + 2 * margin, escaped(drawing.name),
+      high.y() - low.y() + 2 * margin, xml_escaped(drawing.name),
       drawing.fill_rule == FillRule::even_odd ? "evenodd" : "nonzero", svg_path(drawing));
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/xml.h"
 #include "c1mesh/write.h"
 #include "write/grid_lines.h"
 #include "write/mesh_edges.h"
@@ -94,7 +95,7 @@ class Picture {
   }
 
   std::string header(double height) const {
-    const std::string name = escaped(result_.name.empty() ? "c1mesh result" : result_.name);
+    const std::string name = xml_escaped(result_.name.empty() ? "c1mesh result" : result_.name);
     std::string out = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
         "viewBox=\"0 0 {0:.0f} {1:.0f}\">\n<title>{2}</title>\n",

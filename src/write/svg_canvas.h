@@ -47,7 +47,4 @@ std::string path_element(const std::string& css_class, const PathData& data);
 /// `#rrggbb` of the scale from near white (0) over blue, green and yellow to dark red (1).
 std::string scale_colour(double share);
 
-/// Text for XML content and attributes: markup escaped, control characters dropped.
-std::string escaped(const std::string& text);
-
 }  // namespace c1mesh

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace c1mesh {
+
+/// `text` as XML text or attribute value: markup characters escaped, control characters that XML
+/// cannot hold left out.
+std::string xml_escaped(const std::string& text);
+
+}  // namespace c1mesh
