@@ -142,6 +142,38 @@ Roles place_exceptional(const CurvedMesh& mesh, const Joints& joints, const Role
   return out;
 }
 
+std::vector<Roles> one_more(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
+                            int count) {
+  constexpr double kApart = 1.0 / 24;  // of the loop's length
+  std::vector<Roles> out;
+  for (std::size_t l = 0; l < joints.size(); ++l) {
+    const double outer = l == 0 ? 1 : -1;
+    for (const double side : {outer, -outer}) {
+      const LoopProfile profile = profile_of(mesh, joints[l], side, kApart);
+      std::vector<int> taken;
+      const int m = static_cast<int>(joints[l].size());
+      for (int k = 0; k < m; ++k)
+        if (ends_chain(roles[l][k])) taken.push_back(k);
+      for (int found = 0; found < count; ++found) {
+        int best = -1;
+        for (int k = 0; k < m; ++k) {
+          if (ends_chain(roles[l][k]) || profile.bend[k] <= 0) continue;
+          if (std::any_of(taken.begin(), taken.end(), [&](int other) {
+                return distance(profile, k, other) < kApart * profile.length;
+              }))
+            continue;
+          if (best < 0 || profile.bend[k] > profile.bend[best]) best = k;
+        }
+        if (best < 0) break;
+        taken.push_back(best);
+        out.push_back(roles);
+        out.back()[l][best] = side == outer ? Role::exceptional : Role::released;
+      }
+    }
+  }
+  return out;
+}
+
 int count_exceptional(const Roles& roles) {
   int count = 0;
   for (const auto& loop : roles)

@@ -35,4 +35,11 @@ int count_exceptional(const Roles& roles);
 /// The fewest exceptional vertices of the region (docs/vocabulary.md; joints decide, not roles).
 int minimum_exceptional(const Joints& joints);
 
+/// Where one more exceptional vertex may lower the distortion: up to `count` positions per loop and
+/// side at which the boundary bends most, apart from each other and from chain ends. Each is
+/// `roles` with one flat or bent vertex changed: to exceptional where the domain's corner should be
+/// convex (a limb's tip), to released where it should be free (a bay).
+std::vector<Roles> one_more(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
+                            int count);
+
 }  // namespace c1mesh

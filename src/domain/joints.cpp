@@ -10,30 +10,58 @@
 namespace c1mesh {
 namespace {
 
-void classify(Joint& joint, const BoundaryEdge& before, const BoundaryEdge& after, int degree,
-              double corner_angle) {
+bool same_curve(const BoundaryEdge& before, const BoundaryEdge& after) {
+  return before.curve == after.curve && before.t1 == after.t0 &&
+         (before.t1 - before.t0 > 0) == (after.t1 - after.t0 > 0);
+}
+
+// Turn, ratio and kappa from the derivatives, for the joint's kind.
+void measure(Joint& joint, const BoundaryEdge& before, const BoundaryEdge& after) {
   const double c = cross(joint.d0, joint.d1), d = joint.d0.dot(joint.d1);
-  const double square = joint.d0.squaredNorm();
-  const bool same_curve = before.curve == after.curve && before.t1 == after.t0 &&
-                          (before.t1 - before.t0 > 0) == (after.t1 - after.t0 > 0);
-  if (same_curve) {
-    joint.kind = JointKind::inside;
+  joint.turn = joint.kappa = 0;
+  if (joint.kind == JointKind::inside) {
     joint.ratio = (after.t1 - after.t0) / (before.t1 - before.t0);
-    return;
-  }
-  joint.turn = std::atan2(c, d);
-  joint.ratio = d / square;
-  joint.kappa = c / square;
-  const double residue = std::abs(c) / std::sqrt(square) / degree;
-  if (d > 0 && residue <= 1e-14) {
-    joint.kind = JointKind::smooth;
-    joint.kappa = joint.turn = 0;
+  } else if (joint.kind == JointKind::smooth) {
     joint.ratio = joint.d1.norm() / joint.d0.norm();
-  } else if (std::abs(joint.turn) * 180 / std::numbers::pi < corner_angle) {
-    joint.kind = JointKind::mild;
   } else {
-    joint.kind = JointKind::corner;
+    joint.turn = std::atan2(c, d);
+    joint.ratio = d / joint.d0.squaredNorm();
+    joint.kappa = c / joint.d0.squaredNorm();
   }
+}
+
+JointKind classify(const Joint& joint, int degree, double corner_angle) {
+  const double c = cross(joint.d0, joint.d1), d = joint.d0.dot(joint.d1);
+  const double residue = std::abs(c) / joint.d0.norm() / degree;
+  if (d > 0 && residue <= 1e-14) return JointKind::smooth;
+  const double turn = std::abs(std::atan2(c, d)) * 180 / std::numbers::pi;
+  return turn < corner_angle ? JointKind::mild : JointKind::corner;
+}
+
+// kind_of(joint, edge before, edge after) decides what cannot be seen from the mesh alone.
+template <class KindOf>
+Joints joints_of(const CurvedMesh& mesh, const KindOf& kind_of) {
+  const auto control = boundary_control(mesh);
+  const int n = mesh.degree;
+  Joints joints(mesh.loops.size());
+  for (std::size_t l = 0; l < mesh.loops.size(); ++l) {
+    const auto& loop = mesh.loops[l];
+    const int m = static_cast<int>(loop.size());
+    for (int k = 0; k < m; ++k) {
+      const int before = (k + m - 1) % m;
+      const auto &in = control[l][before], &out = control[l][k];
+      Joint joint;
+      joint.vertex = loop[k].a;
+      joint.loop = static_cast<int>(l);
+      joint.position = k;
+      joint.d0 = n * (mesh.control[in[n]] - mesh.control[in[n - 1]]);
+      joint.d1 = n * (mesh.control[out[1]] - mesh.control[out[0]]);
+      joint.kind = same_curve(loop[before], loop[k]) ? JointKind::inside : kind_of(joint);
+      measure(joint, loop[before], loop[k]);
+      joints[l].push_back(joint);
+    }
+  }
+  return joints;
 }
 
 }  // namespace
@@ -55,26 +83,15 @@ std::vector<std::vector<std::vector<int>>> boundary_control(const CurvedMesh& me
 }
 
 Joints find_joints(const CurvedMesh& mesh, double corner_angle) {
-  const auto control = boundary_control(mesh);
-  const int n = mesh.degree;
-  Joints joints(mesh.loops.size());
-  for (std::size_t l = 0; l < mesh.loops.size(); ++l) {
-    const auto& loop = mesh.loops[l];
-    const int m = static_cast<int>(loop.size());
-    for (int k = 0; k < m; ++k) {
-      const int before = (k + m - 1) % m;
-      const auto &in = control[l][before], &out = control[l][k];
-      Joint joint;
-      joint.vertex = loop[k].a;
-      joint.loop = static_cast<int>(l);
-      joint.position = k;
-      joint.d0 = n * (mesh.control[in[n]] - mesh.control[in[n - 1]]);
-      joint.d1 = n * (mesh.control[out[1]] - mesh.control[out[0]]);
-      classify(joint, loop[before], loop[k], n, corner_angle);
-      joints[l].push_back(joint);
-    }
-  }
-  return joints;
+  return joints_of(mesh,
+                   [&](const Joint& joint) { return classify(joint, mesh.degree, corner_angle); });
+}
+
+Joints find_joints_again(const CurvedMesh& mesh, const Joints& before) {
+  std::map<int, JointKind> kinds;
+  for (const auto& loop : before)
+    for (const Joint& joint : loop) kinds[joint.vertex] = joint.kind;
+  return joints_of(mesh, [&](const Joint& joint) { return kinds.at(joint.vertex); });
 }
 
 }  // namespace c1mesh

@@ -34,6 +34,11 @@ using Joints = std::vector<std::vector<Joint>>;
 /// smooth when treating it as flat leaves a C1 residue |d1 - r d0| under 1e-14 of the extent.
 Joints find_joints(const CurvedMesh& mesh, double corner_angle);
 
+/// The joints of a mesh refined from one with joints `before`: boundary vertices of that one keep
+/// their kind (as edges get shorter a slight turn would seem to vanish), new ones are inside
+/// curves.
+Joints find_joints_again(const CurvedMesh& mesh, const Joints& before);
+
 /// For each loop and position: ids of the n+1 control points along the edge, first to last.
 std::vector<std::vector<std::vector<int>>> boundary_control(const CurvedMesh& mesh);
 

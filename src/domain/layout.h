@@ -35,6 +35,9 @@ using Roles = std::vector<std::vector<Role>>;
 /// `bent_limit`) are anchors, slighter ones bent, the rest flat.
 Roles natural_roles(const Joints& joints, double bent_limit = 1e-2);
 
+/// Carries roles to a refined mesh: by vertex id, new vertices flat.
+Roles roles_on(const Joints& from, const Roles& roles, const Joints& to);
+
 /// The rows of two auxiliary points at a mild joint v: v + e0 and v + w, with e0 the incoming
 /// domain edge and w the vector of e1 = r e0 + kappa w. Over them the joint's gradient is well
 /// conditioned however slight the turn: it maps (e0, w) to (d0, J d0).

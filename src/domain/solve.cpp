@@ -152,8 +152,8 @@ DomainState solve_domain(const CurvedMesh& mesh, const Joints& joints, const Rol
     first = false;
     return report.valid && report.crossings == 0;
   };
-  if (options.warm.rows() > 0 &&
-      (attempt(unknowns_of_points(options.warm, joints, state.layout), 0) || report.valid))
+  if (!options.warm.empty() &&
+      (attempt(unknowns_of_shape(options.warm, joints, state.layout), 0) || report.valid))
     return state;
   for (const Start start : {Start::shape, Start::convex})
     if (attempt(start_positions(mesh, joints, roles, state.layout, start), 1e-3)) break;

@@ -13,7 +13,7 @@ struct DomainOptions {
   int untangle_iterations = 120;
   int newton_iterations = 60;
   double final_exponent = 4;  ///< p-norm that ends the optimisation (1: none)
-  PointMatrix warm;           ///< vertex positions to start from, tried first; empty: none
+  DomainShape warm;           ///< to start from, tried first; empty: none
 };
 
 struct DomainReport {

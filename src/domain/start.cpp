@@ -117,18 +117,38 @@ PointMatrix unknowns_from(const PointMatrix& wanted, const Joints& joints,
 
 }  // namespace
 
-PointMatrix unknowns_of_points(const PointMatrix& points, const Joints& joints,
-                               const DomainLayout& layout) {
+DomainShape shape_of_domain(int vertices, const Joints& joints, const DomainLayout& layout,
+                            const PointMatrix& unknowns) {
+  DomainShape shape;
+  shape.points = (layout.exact * unknowns).topRows(vertices);
+  for (std::size_t l = 0; l < joints.size(); ++l)
+    for (std::size_t k = 0; k < joints[l].size(); ++k)
+      if (const int unknown = layout.bend_unknown[l][k]; unknown >= 0)
+        shape.bends[joints[l][k].vertex] = {unknowns.row(unknown).transpose(),
+                                            joints[l][k].d0.norm()};
+  return shape;
+}
+
+PointMatrix unknowns_of_shape(const DomainShape& shape, const Joints& joints,
+                              const DomainLayout& layout) {
+  const PointMatrix& points = shape.points;
   PointMatrix unknowns = unknowns_from(points, joints, layout);
   for (std::size_t l = 0; l < joints.size(); ++l) {
     const std::size_t m = joints[l].size();
     for (std::size_t k = 0; k < m; ++k) {
-      if (layout.bend_unknown[l][k] < 0) continue;
+      const int unknown = layout.bend_unknown[l][k];
+      if (unknown < 0) continue;
       const Joint& joint = joints[l][k];
+      if (const auto known = shape.bends.find(joint.vertex); known != shape.bends.end()) {
+        // w scales with d0, which refinement halves.
+        const double scale = joint.d0.norm() / known->second.length;
+        unknowns.row(unknown) = scale * known->second.w.transpose();
+        continue;
+      }
       const Eigen::RowVector2d v = points.row(joint.vertex);
       const Eigen::RowVector2d in = v - points.row(joints[l][(k + m - 1) % m].vertex);
       const Eigen::RowVector2d out = points.row(joints[l][(k + 1) % m].vertex) - v;
-      unknowns.row(layout.bend_unknown[l][k]) = (out - joint.ratio * in) / joint.kappa;
+      unknowns.row(unknown) = (out - joint.ratio * in) / joint.kappa;
     }
   }
   return unknowns;

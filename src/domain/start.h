@@ -2,6 +2,7 @@
 // First positions for the domain's unknowns, and extra elements that keep holes open.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "domain/energy.h"
@@ -20,10 +21,26 @@ enum class Start {
 PointMatrix start_positions(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                             const DomainLayout& layout, Start start);
 
-/// The unknowns whose layout gives these vertex positions; exact for positions that satisfy the
-/// layout's chains (a solution for stricter roles does).
-PointMatrix unknowns_of_points(const PointMatrix& points, const Joints& joints,
-                               const DomainLayout& layout);
+/// A domain independent of a layout: vertex positions and, by vertex, the vectors w of its bent
+/// joints with the length |d0| they go with. (From positions alone w could be had only up to an
+/// error of 1 / kappa roundings.)
+struct DomainShape {
+  struct Bend {
+    Point w;
+    double length;
+  };
+  PointMatrix points;
+  std::map<int, Bend> bends;
+  bool empty() const { return points.rows() == 0; }
+};
+
+DomainShape shape_of_domain(int vertices, const Joints& joints, const DomainLayout& layout,
+                            const PointMatrix& unknowns);
+
+/// The unknowns whose layout gives this domain; exact for positions that satisfy the layout's
+/// chains (a solution for stricter roles, or of the mesh before a refinement, does).
+PointMatrix unknowns_of_shape(const DomainShape& shape, const Joints& joints,
+                              const DomainLayout& layout);
 
 /// Interior vertices not wound exactly once and boundary vertices wound more than once, given that
 /// all triangles are positive. Positive triangles alone do not exclude them.

@@ -59,7 +59,7 @@ class Refiner {
         Face face;
         if (cdt_.is_face(worst.corners[0], worst.corners[1], worst.corners[2], face)) improve(face);
       }
-      if (!separate_boundary()) break;
+      if (!separate_boundary(budget)) break;
     }
   }
 
@@ -283,7 +283,7 @@ class Refiner {
 
   // An unconstrained edge between two boundary vertices would have to be split later (see guard.h):
   // better now, while Delaunay flips can make the most of the new vertex. False if there was none.
-  bool separate_boundary() {
+  bool separate_boundary(long& budget) {
     // By faces: the library's edge iterator goes by addresses, which differ from run to run. Each
     // edge is met from both sides; the second time it is gone.
     std::vector<std::pair<Vertex, Vertex>> joining;
@@ -298,6 +298,7 @@ class Refiner {
       Face f;
       int k;
       if (!cdt_.is_edge(a, b, f, k)) continue;
+      --budget;
       const Point middle = 0.5 * (point_of(a) + point_of(b));
       const int inside = warp_of(f, segments_);
       const Vertex v = cdt_.insert(KernelPoint(middle.x(), middle.y()), Triangulation::EDGE, f, k);

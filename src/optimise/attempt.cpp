@@ -7,15 +7,15 @@
 namespace c1mesh {
 namespace {
 
-void finish(const CurvedMesh& mesh, const DomainLayout& layout, const MapState& state,
-            const ExactReport& exact, Attempt& out) {
+void finish(const CurvedMesh& mesh, const Joints& joints, const DomainLayout& layout,
+            const MapState& state, const ExactReport& exact, Attempt& out) {
   out.success = exact.success;
   out.trouble = exact.trouble;
-  out.domain = (layout.exact * state.unknowns).topRows(mesh.vertex_count());
+  out.domain = shape_of_domain(mesh.vertex_count(), joints, layout, state.unknowns);
   out.control.assign(state.control.begin(),
                      state.control.begin() + static_cast<std::ptrdiff_t>(mesh.control.size()));
   if (!out.success) return;
-  const std::vector<double> g = distortion_bounds(mesh, out.domain, out.control);
+  const std::vector<double> g = distortion_bounds(mesh, out.domain.points, out.control);
   const auto worst = std::max_element(g.begin(), g.end());
   out.g = *worst;
   for (int v : mesh.triangles[worst - g.begin()]) out.trouble.push_back(v);
@@ -34,7 +34,7 @@ Attempt attempt_region(const CurvedMesh& mesh, const Joints& joints, const Roles
   out.energy = report.energy;
   out.trouble = report.inverted;
   if (!report.valid) return out;
-  out.domain_stage = (domain.layout.exact * domain.unknowns).topRows(mesh.vertex_count());
+  out.domain_stage = shape_of_domain(mesh.vertex_count(), joints, domain.layout, domain.unknowns);
 
   MapState state{domain.unknowns, mesh.control};
   std::vector<C1Edge> asked = asked_edges(mesh, joints, roles);
@@ -45,8 +45,8 @@ Attempt attempt_region(const CurvedMesh& mesh, const Joints& joints, const Roles
   optimise_jointly(mesh, domain.layout, asked, elements, options.joint, state, checkpoint);
   const ExactReport exact =
       make_exact(mesh, domain.layout, asked, options.exact, state, checkpoint);
-  finish(mesh, domain.layout, state, exact, out);
-  out.crossings = boundary_crossings(mesh, out.domain);
+  finish(mesh, joints, domain.layout, state, exact, out);
+  out.crossings = boundary_crossings(mesh, out.domain.points);
   return out;
 }
 
@@ -61,7 +61,7 @@ Attempt attempt_on_initial_domain(const CurvedMesh& mesh, const Joints& joints,
     state.unknowns.row(layout.unknown_of_row[v]) = mesh.domain[v].transpose();
   const ExactReport exact =
       make_exact(mesh, layout, asked_edges(mesh, joints, out.roles), options, state, checkpoint);
-  finish(mesh, layout, state, exact, out);
+  finish(mesh, joints, layout, state, exact, out);
   return out;
 }
 

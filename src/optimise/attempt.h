@@ -22,8 +22,8 @@ struct Attempt {
   double energy = 0;     ///< of the domain stage
   double g = 0;          ///< largest g(t), if success
   Roles roles;
-  PointMatrix domain;        ///< one point per mesh vertex
-  PointMatrix domain_stage;  ///< what the domain stage left, if valid: a start for other tries
+  DomainShape domain;        ///< as the map has it
+  DomainShape domain_stage;  ///< what the domain stage left, if valid: a start for other tries
   std::vector<Point> control;
   std::vector<int> trouble;  ///< vertices where it failed, or of the triangle with the largest g
 };

@@ -29,6 +29,15 @@ std::array<Point, 4> edge_points(const C1Edge& e, const PointMatrix& domain) {
 
 }  // namespace
 
+std::vector<char> fixed_control(const CurvedMesh& mesh, std::size_t count) {
+  std::vector<char> fixed(count, 0);
+  for (const auto& loop : boundary_control(mesh))
+    for (const auto& edge : loop)
+      for (int id : edge) fixed[id] = 1;
+  std::fill(fixed.begin() + static_cast<std::ptrdiff_t>(mesh.control.size()), fixed.end(), 1);
+  return fixed;
+}
+
 MapObjective::MapObjective(const CurvedMesh& mesh, const DomainLayout& layout,
                            std::vector<C1Edge> asked, std::vector<DomainElement> extras,
                            const MapState& state, bool domain_free)
@@ -37,15 +46,10 @@ MapObjective::MapObjective(const CurvedMesh& mesh, const DomainLayout& layout,
       energy_(mesh.degree),
       edges_(std::move(asked)),
       extras_(std::move(extras)),
-      fixed_(state.control.size(), 0),
+      fixed_(fixed_control(mesh, state.control.size())),
       variable_(state.control.size(), -1),
       frozen_control_(state.control),
       frozen_domain_(layout.exact * state.unknowns) {
-  for (const auto& loop : boundary_control(mesh))
-    for (const auto& edge : loop)
-      for (int id : edge) fixed_[id] = 1;
-  // Auxiliary control points (see joint_equations) never move.
-  std::fill(fixed_.begin() + static_cast<std::ptrdiff_t>(mesh.control.size()), fixed_.end(), 1);
   first_equation_.push_back(0);
   for (const C1Edge& e : edges_) first_equation_.push_back(first_equation_.back() + e.equations());
   domain_variables_ = domain_free ? 2 * layout.unknowns() : 0;

@@ -18,6 +18,10 @@ struct MapState {
   std::vector<Point> control;  ///< all control points
 };
 
+/// Which of `count` control points cannot move: those of boundary edges, and auxiliary ones, which
+/// come after the mesh's (see joint_equations).
+std::vector<char> fixed_control(const CurvedMesh& mesh, std::size_t count);
+
 /// sum_t weight_t reference (f_t / reference)^exponent + sum of `extras` + sum_e weight_e (rho/2
 /// |d_ei|^2 + m_ei . d_ei).
 class MapObjective : public Objective {

@@ -38,9 +38,6 @@ std::vector<int> worst_vertices(const std::vector<C1Edge>& edges, const PointMat
   return out;
 }
 
-// A residue the doubles cannot be asked to beat: rounding of coordinates of size one.
-constexpr double kExact = 2e-13;
-
 double largest_of(const std::vector<double>& g) {
   return *std::max_element(g.begin(), g.end());
 }
@@ -55,33 +52,6 @@ void drive_to_zero(MapObjective& objective, const ExactOptions& options, Eigen::
     if (residue <= 1e-11) return;
     objective.update_multipliers(x);
     report.iterations += newton(objective, x, {options.iterations, 1e-9}, checkpoint).iterations;
-  }
-}
-
-// Lowers the largest distortion inside the C1 space: p-norms of the triangles' energies. Keeps what
-// it started from unless the result is exact again and better.
-void lower_distortion(const CurvedMesh& mesh, const std::vector<C1Edge>& asked,
-                      const PointMatrix& domain, const ExactOptions& options,
-                      MapObjective& objective, Eigen::VectorXd& x, MapState& state,
-                      ExactReport& report, const Checkpoint& checkpoint) {
-  double best = largest_of(distortion_bounds(mesh, domain, state.control));
-  // Each norm starts near its optimum; what a few steps do not gain is not worth their time.
-  ExactOptions brief = options;
-  brief.iterations = 6;
-  brief.multiplier_rounds = 4;
-  for (double p = 2; p <= options.final_exponent; p *= 2) {
-    objective.exponent = p;
-    objective.reference = objective.largest(x);
-    report.iterations += newton(objective, x, {brief.iterations, 1e-3}, checkpoint).iterations;
-    drive_to_zero(objective, brief, x, report, checkpoint);
-    MapState next{state.unknowns, objective.unpack(x).control};
-    const ProjectionReport projection = project_to_c1(
-        asked, domain, objective.fixed(), control_sizes(mesh, next.control), next.control);
-    const double g = largest_of(distortion_bounds(mesh, domain, next.control));
-    if (!(projection.after < kExact) || !(g < best)) continue;
-    best = g;
-    state.control = next.control;
-    report.final_residue = projection.after;
   }
 }
 
@@ -164,7 +134,7 @@ ExactReport make_exact(const CurvedMesh& mesh, const DomainLayout& layout,
   if (report.success) {
     state.control = exact.control;
     if (largest_of(g) > options.good_enough)
-      lower_distortion(mesh, asked, domain, options, objective, x, state, report, checkpoint);
+      lower_distortion(mesh, layout, asked, options, state, checkpoint);
     return report;
   }
   if (projection.after >= kExact) {
@@ -175,6 +145,45 @@ ExactReport make_exact(const CurvedMesh& mesh, const DomainLayout& layout,
         for (int v : mesh.triangles[t]) report.trouble.push_back(v);
   }
   return report;
+}
+
+double project_exactly(const CurvedMesh& mesh, const DomainLayout& layout,
+                       const std::vector<C1Edge>& asked, MapState& state) {
+  return project_to_c1(asked, layout.exact * state.unknowns,
+                       fixed_control(mesh, state.control.size()),
+                       control_sizes(mesh, state.control), state.control)
+      .after;
+}
+
+bool lower_distortion(const CurvedMesh& mesh, const DomainLayout& layout,
+                      const std::vector<C1Edge>& asked, const ExactOptions& options,
+                      MapState& state, const Checkpoint& checkpoint) {
+  MapObjective objective(mesh, layout, asked, {}, state, false);
+  objective.rho = options.last_rho;
+  const PointMatrix domain = layout.exact * state.unknowns;
+  Eigen::VectorXd x = objective.pack(state);
+  double best = largest_of(distortion_bounds(mesh, domain, state.control));
+  bool better = false;
+  // Each norm starts near its optimum; what a few steps do not gain is not worth their time.
+  ExactOptions brief = options;
+  brief.iterations = 2;
+  brief.multiplier_rounds = 6;
+  ExactReport report;
+  for (double p = 4; p <= options.final_exponent; p *= 2) {
+    objective.exponent = p;
+    objective.reference = objective.largest(x);
+    newton(objective, x, {6, 1e-3}, checkpoint);
+    drive_to_zero(objective, brief, x, report, checkpoint);
+    MapState next{state.unknowns, objective.unpack(x).control};
+    const ProjectionReport projection = project_to_c1(
+        asked, domain, objective.fixed(), control_sizes(mesh, next.control), next.control);
+    const double g = largest_of(distortion_bounds(mesh, domain, next.control));
+    if (!(projection.after < kExact) || !(g < best)) continue;
+    best = g;
+    state.control = next.control;
+    better = true;
+  }
+  return better;
 }
 
 std::vector<double> distortion_bounds(const CurvedMesh& mesh, const PointMatrix& domain,

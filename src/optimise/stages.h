@@ -13,8 +13,8 @@ namespace c1mesh {
 std::vector<C1Edge> asked_edges(const CurvedMesh& mesh, const Joints& joints, const Roles& roles);
 
 struct JointOptions {
-  double rho = 100;             ///< C1 penalty, relative to the shape's area
-  double domain_quality = 0.3;  ///< weight that keeps domain triangles near the domain stage's
+  double rho = 1000;          ///< C1 penalty, relative to the shape's area
+  double domain_quality = 1;  ///< weight that keeps domain triangles near the domain stage's
   int iterations = 25;
   double exponent = 1;
 };
@@ -37,9 +37,12 @@ struct ExactOptions {
   int multiplier_rounds = 12;
   double exponent = 1;
   double good_enough = 20;        ///< g above which the p-norms below are worth their time
-  double final_exponent = 8;      ///< p-norms 2, 4, … up to this lower the largest g
+  double final_exponent = 8;      ///< p-norms 4, 8, … up to this lower the largest g
   double give_up_residue = 1e-3;  ///< residue at the end of the continuation: no hope
 };
+
+/// A residue the doubles cannot be asked to beat: rounding of coordinates of size one.
+inline constexpr double kExact = 2e-13;
 
 struct ExactReport {
   int iterations = 0;
@@ -55,6 +58,17 @@ struct ExactReport {
 ExactReport make_exact(const CurvedMesh& mesh, const DomainLayout& layout,
                        const std::vector<C1Edge>& asked, const ExactOptions& options,
                        MapState& state, const Checkpoint& checkpoint);
+
+/// Lowers the largest distortion inside the C1 space, the domain frozen: p-norms 4, 8, … of the
+/// triangles' energies. `state` is exact before and after; false if nothing better was found.
+bool lower_distortion(const CurvedMesh& mesh, const DomainLayout& layout,
+                      const std::vector<C1Edge>& asked, const ExactOptions& options,
+                      MapState& state, const Checkpoint& checkpoint);
+
+/// The least move of the free control points after which every equation holds to rounding; the
+/// largest residue left.
+double project_exactly(const CurvedMesh& mesh, const DomainLayout& layout,
+                       const std::vector<C1Edge>& asked, MapState& state);
 
 /// g(t) of every triangle (eq. 4.5); infinite where a Bernstein coefficient is not positive.
 std::vector<double> distortion_bounds(const CurvedMesh& mesh, const PointMatrix& domain,

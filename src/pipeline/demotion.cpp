@@ -42,28 +42,6 @@ int demote_near(const CurvedMesh& mesh, const Joints& joints, const std::vector<
   return changed;
 }
 
-Roles roles_on(const Joints& from, const Roles& roles, const Joints& to) {
-  std::map<int, Role> by_vertex;
-  for (std::size_t l = 0; l < from.size(); ++l)
-    for (std::size_t k = 0; k < from[l].size(); ++k) by_vertex[from[l][k].vertex] = roles[l][k];
-  Roles out;
-  for (const auto& loop : to) {
-    out.emplace_back();
-    for (const Joint& joint : loop) {
-      const auto found = by_vertex.find(joint.vertex);
-      out.back().push_back(found == by_vertex.end() ? Role::flat : found->second);
-    }
-  }
-  return out;
-}
-
-bool has_c1_corner(const Joints& joints, const Roles& roles) {
-  for (std::size_t l = 0; l < joints.size(); ++l)
-    for (std::size_t k = 0; k < joints[l].size(); ++k)
-      if (joints[l][k].kind == JointKind::corner && roles[l][k] == Role::anchor) return true;
-  return false;
-}
-
 void grade_corners(CurvedMesh& mesh, const Joints& joints, const Roles& roles, int levels) {
   std::vector<int> corners;
   for (std::size_t l = 0; l < joints.size(); ++l)

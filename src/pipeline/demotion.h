@@ -15,9 +15,6 @@ namespace c1mesh {
 int demote_near(const CurvedMesh& mesh, const Joints& joints, const std::vector<int>& trouble,
                 int count, Roles& roles);
 
-/// Carries roles to a refined mesh: by vertex id, new vertices flat.
-Roles roles_on(const Joints& from, const Roles& roles, const Joints& to);
-
 /// Refines the mesh towards every corner that keeps C1: halves each edge of its fan, boundary edges
 /// too, `levels` times. The corner's forced gradient then rules a smaller place.
 void grade_corners(CurvedMesh& mesh, const Joints& joints, const Roles& roles, int levels);

@@ -11,6 +11,7 @@
 #include "domain/exceptional.h"
 #include "mesh/split.h"
 #include "mesh/topology.h"
+#include "optimise/refine.h"
 #include "pipeline/demotion.h"
 
 namespace c1mesh {
@@ -20,12 +21,15 @@ namespace {
 struct Variant {
   CurvedMesh mesh;
   Joints joints;
-  PointMatrix warm;  // the last valid domain found on this mesh: a start for every later try
+  DomainShape warm;  // the last valid domain found on this mesh: a start for every later try
 };
 
 struct Best {
+  bool found = false;
   Attempt attempt;
-  const Variant* variant = nullptr;
+  CurvedMesh mesh;
+  Joints joints;
+  const Variant* variant = nullptr;  // where it was found; its mesh may have been refined since
   std::string how;
 };
 
@@ -47,8 +51,8 @@ class Ladder {
     }
     try {
       search();
-      if (!best_.variant) release_joints();
-      if (!best_.variant) last_resort();
+      if (!best_.found) release_joints();
+      if (!best_.found) last_resort();
     } catch (const TimeLimitReached&) {
       out.interrupted = true;
     }
@@ -57,7 +61,7 @@ class Ladder {
   }
 
  private:
-  bool satisfied() const { return best_.variant && best_.attempt.g <= bound_; }
+  bool satisfied() const { return best_.found && best_.attempt.g <= bound_; }
   // The search ends when the work done exceeds this many triangle-attempts: a bound that does not
   // depend on the clock, so that results repeat.
   bool affordable(const Variant& variant) const {
@@ -70,40 +74,56 @@ class Ladder {
     Variant& fine = finer_.emplace_back();
     fine.mesh = coarse_.mesh;
     refine(fine.mesh);
-    fine.joints = find_joints(fine.mesh, options_.corner_angle);
-    if (coarse_.warm.rows() > 0) {
+    fine.joints = find_joints_again(fine.mesh, coarse_.joints);
+    if (!coarse_.warm.empty()) {
       CurvedMesh solved = coarse_.mesh;
       for (int v = 0; v < solved.vertex_count(); ++v)
-        solved.domain[v] = coarse_.warm.row(v).transpose();
+        solved.domain[v] = coarse_.warm.points.row(v).transpose();
       refine(solved);
-      fine.warm.resize(solved.vertex_count(), 2);
+      fine.warm.bends = coarse_.warm.bends;
+      fine.warm.points.resize(solved.vertex_count(), 2);
       for (int v = 0; v < solved.vertex_count(); ++v)
-        fine.warm.row(v) = solved.domain[v].transpose();
+        fine.warm.points.row(v) = solved.domain[v].transpose();
     }
     return fine;
   }
 
+  struct Settings {
+    double wedge = 30;
+    bool loose = false;  // the joint stage's domain follows more freely
+  };
+
   // True if the search may end.
-  bool attempt(Variant& variant, const Roles& roles, double wedge, const std::string& how) {
+  bool attempt(Variant& variant, const Roles& roles, const Settings& wanted,
+               const std::string& how) {
     if (!affordable(variant)) return true;
     work_ += variant.mesh.triangle_count();
     ++attempts_;
     AttemptOptions settings;
-    settings.domain.weights.wedge = wedge;
+    settings.domain.weights.wedge = wanted.wedge;
     settings.domain.warm = variant.warm;
+    if (wanted.loose) {
+      settings.joint.rho = 100;
+      settings.joint.domain_quality = 0.3;
+    }
     last_ = attempt_region(variant.mesh, variant.joints, roles, settings, checkpoint_);
     if (last_.domain_valid) variant.warm = last_.domain_stage;
     if (last_.success) consider(variant, how);
     return satisfied();
   }
 
-  // Within the bound first, then the fewest exceptional vertices, then the lowest distortion.
+  // Refined where its distortion is large. Within the bound first, then the fewest exceptional
+  // vertices, then the lowest distortion.
   void consider(const Variant& variant, const std::string& how) {
+    Best next{true, last_, variant.mesh, variant.joints, &variant, how};
+    RefineOptions settings;
+    if (options_.refine > 0) settings = {0, options_.refine, 2 * settings.rounds};
+    refine_where_distorted(settings, {}, next.mesh, next.joints, next.attempt, checkpoint_);
     const auto rank = [&](const Attempt& a) {
       return std::make_tuple(!(a.g <= bound_), count_exceptional(a.roles), a.g);
     };
-    if (best_.variant && !(rank(last_) < rank(best_.attempt))) return;
-    best_ = {last_, &variant, how};
+    if (best_.found && !(rank(next.attempt) < rank(best_.attempt))) return;
+    best_ = std::move(next);
   }
 
   // The placement of missing corners whose domain stage ends lowest.
@@ -128,9 +148,13 @@ class Ladder {
   }
 
   void search() {
-    const Roles roles = first_roles_ = placed_roles();
-    if (attempt(coarse_, roles, 30, "")) return;
-    if (attempt(coarse_, roles, 300, "wedge weight 300")) return;
+    Roles roles = placed_roles();
+    while (count_exceptional(roles) < options_.exceptional && add_corner(roles)) {
+    }
+    first_roles_ = roles;
+    if (attempt(coarse_, roles, {30}, "")) return;
+    if (!last_.success && attempt(coarse_, roles, {30, true}, "loose joint stage")) return;
+    if (attempt(coarse_, roles, {300}, "wedge weight 300")) return;
     Variant* last = &coarse_;
     std::string prefix;
     if (has_c1_corner(coarse_.joints, roles)) {
@@ -146,7 +170,42 @@ class Ladder {
         prefix = "refined 1 to 4";
       }
     }
+    if (best_.found && options_.exceptional >= 0) return;
+    if (best_.found && add_corners(roles)) return;
     if (give_up_more(*last, roles_on(coarse_.joints, roles, last->joints), 1, 16, prefix)) return;
+  }
+
+  // A map exists but its distortion is above the bound: more corners for the domain, one after the
+  // other, each where it helps the domain stage most.
+  bool add_corners(Roles roles) {
+    constexpr int kMost = 8;
+    for (int added = 1; added <= kMost && add_corner(roles); ++added) {
+      const std::string how = fmt::format("{} more exceptional by placement", added);
+      if (attempt(coarse_, roles, {30}, how)) return true;
+      if (!last_.success && attempt(coarse_, roles, {30, true}, how + ", loose joint stage"))
+        return true;
+    }
+    return false;
+  }
+
+  // False if there is no place left.
+  bool add_corner(Roles& roles) {
+    constexpr int kCandidates = 4;
+    double lowest = std::numeric_limits<double>::infinity();
+    Roles best;
+    for (const Roles& candidate : one_more(coarse_.mesh, coarse_.joints, roles, kCandidates)) {
+      DomainReport report;
+      DomainOptions settings;
+      settings.warm = coarse_.warm;
+      solve_domain(coarse_.mesh, coarse_.joints, candidate, settings, report, checkpoint_);
+      const double score = report.largest + (report.crossings ? 1e6 : 0);
+      if (!report.valid || score >= lowest) continue;
+      lowest = score;
+      best = candidate;
+    }
+    if (best.empty()) return false;
+    roles = best;
+    return true;
   }
 
   // On the mesh as it was, ever more vertices near the trouble, at last every joint. A budget of
@@ -156,16 +215,16 @@ class Ladder {
     Roles roles = first_roles_;
     const int first = 1 + coarse_.mesh.triangle_count() / 200;
     give_up_more(coarse_, roles, first, 1 << 20, "");
-    if (best_.variant) return;
+    if (best_.found) return;
     demote_all_joints(coarse_.joints, roles);
     work_ = attempts_ = 0;
-    attempt(coarse_, roles, 30, "every joint exceptional");
+    attempt(coarse_, roles, {30}, "every joint exceptional");
   }
 
   bool both_wedges(Variant& variant, const Roles& coarse_roles, const std::string& how) {
     const Roles roles = roles_on(coarse_.joints, coarse_roles, variant.joints);
-    return attempt(variant, roles, 30, how) ||
-           attempt(variant, roles, 300, how + ", wedge weight 300");
+    return attempt(variant, roles, {30}, how) ||
+           attempt(variant, roles, {300}, how + ", wedge weight 300");
   }
 
   // `first` more exceptional vertices, then twice as many, … up to `most` at a time, near where the
@@ -173,13 +232,13 @@ class Ladder {
   bool give_up_more(Variant& variant, Roles roles, int first, int most, const std::string& prefix) {
     int total = 0;
     for (int count = first; count <= most; count *= 2) {
-      if (best_.variant && (options_.exceptional >= 0 || best_.variant != &variant)) return true;
+      if (best_.found && options_.exceptional >= 0) return true;
       const int changed = demote_near(variant.mesh, variant.joints, last_.trouble, count, roles);
       if (changed == 0) return false;
       total += changed;
       for (const double wedge : {30.0, 300.0}) {
         if (attempt(
-                variant, roles, wedge,
+                variant, roles, {wedge},
                 fmt::format("{}{}{} more exceptional", prefix, prefix.empty() ? "" : ", ", total)))
           return true;
         if (last_.success) break;
@@ -190,20 +249,22 @@ class Ladder {
 
   void last_resort() {
     last_ = attempt_on_initial_domain(coarse_.mesh, coarse_.joints, {}, checkpoint_);
-    if (last_.success) best_ = {last_, &coarse_, "every boundary vertex exceptional"};
+    if (last_.success)
+      best_ = {true,           last_,    coarse_.mesh,
+               coarse_.joints, &coarse_, "every boundary vertex exceptional"};
     gave_up_ = true;
   }
 
   void write(RegionSolution& out) const {
-    out.gave_up = gave_up_ || !best_.variant;
-    if (!best_.variant) {
+    out.gave_up = gave_up_ || !best_.found;
+    if (!best_.found) {
       give_up_everything(out);
       return;
     }
-    out.mesh = best_.variant->mesh;
-    out.joints = best_.variant->joints;
+    out.mesh = best_.mesh;
+    out.joints = best_.joints;
     for (int v = 0; v < out.mesh.vertex_count(); ++v)
-      out.mesh.domain[v] = best_.attempt.domain.row(v).transpose();
+      out.mesh.domain[v] = best_.attempt.domain.points.row(v).transpose();
     out.mesh.control = best_.attempt.control;
     out.g = best_.attempt.g;
     if (!best_.how.empty()) out.remedies.push_back(best_.how);
