@@ -5,6 +5,7 @@
 #include "domain/energy.h"
 #include "domain/minimise.h"
 #include "domain/start.h"
+#include "domain/unbend.h"
 
 namespace c1mesh {
 
@@ -13,7 +14,9 @@ struct DomainOptions {
   int untangle_iterations = 120;
   int newton_iterations = 60;
   double final_exponent = 4;  ///< p-norm that ends the optimisation (1: none)
-  PointMatrix warm;           ///< vertex positions to start from, tried first; empty: none
+  UnbendOptions unbend;
+  bool no_overlap = false;  ///< a start whose boundary crosses itself is not good enough
+  PointMatrix warm;         ///< vertex positions to start from, tried first; empty: none
 };
 
 struct DomainReport {

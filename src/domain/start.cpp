@@ -98,9 +98,10 @@ PointMatrix initial_points(const CurvedMesh& mesh) {
   return points;
 }
 
-// Unknowns from wanted positions of all vertices; the vectors w are the turned incoming edges.
-PointMatrix unknowns_from(const PointMatrix& wanted, const Joints& joints,
-                          const DomainLayout& layout) {
+}  // namespace
+
+PointMatrix unknowns_near_points(const PointMatrix& wanted, const Joints& joints,
+                                 const DomainLayout& layout) {
   PointMatrix unknowns = PointMatrix::Zero(layout.unknowns(), 2);
   for (Eigen::Index v = 0; v < wanted.rows(); ++v)
     if (layout.unknown_of_row[v] >= 0) unknowns.row(layout.unknown_of_row[v]) = wanted.row(v);
@@ -115,11 +116,9 @@ PointMatrix unknowns_from(const PointMatrix& wanted, const Joints& joints,
   return unknowns;
 }
 
-}  // namespace
-
 PointMatrix unknowns_of_points(const PointMatrix& points, const Joints& joints,
                                const DomainLayout& layout) {
-  PointMatrix unknowns = unknowns_from(points, joints, layout);
+  PointMatrix unknowns = unknowns_near_points(points, joints, layout);
   for (std::size_t l = 0; l < joints.size(); ++l) {
     const std::size_t m = joints[l].size();
     for (std::size_t k = 0; k < m; ++k) {
@@ -148,7 +147,7 @@ PointMatrix start_positions(const CurvedMesh& mesh, const Joints& joints, const 
     solve_average(graph_edges(mesh, true), fixed, points);
     wanted = points.topRows(vertices);
   }
-  PointMatrix unknowns = unknowns_from(wanted, joints, layout);
+  PointMatrix unknowns = unknowns_near_points(wanted, joints, layout);
   // The boundary is now where the chains put it; let the interior follow.
   const PointMatrix placed = (layout.exact * unknowns).topRows(vertices);
   PointMatrix points = start == Start::shape ? PointMatrix(placed - initial) : placed;

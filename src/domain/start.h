@@ -25,6 +25,11 @@ PointMatrix start_positions(const CurvedMesh& mesh, const Joints& joints, const 
 PointMatrix unknowns_of_points(const PointMatrix& points, const Joints& joints,
                                const DomainLayout& layout);
 
+/// Unknowns for positions that satisfy the chains nearly: chain vertices move onto them, and the
+/// vectors w are the incoming edges turned by 90 degrees, the optimum of the joints' wedges.
+PointMatrix unknowns_near_points(const PointMatrix& points, const Joints& joints,
+                                 const DomainLayout& layout);
+
 /// Interior vertices not wound exactly once and boundary vertices wound more than once, given that
 /// all triangles are positive. Positive triangles alone do not exclude them.
 std::vector<int> winding_faults(const CurvedMesh& mesh, const PointMatrix& points);
