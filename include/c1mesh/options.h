@@ -12,6 +12,7 @@ struct Options {
   double mips_bound = 10;   ///< mu, the MIPS bound of the initial triangulation
   int degree = 3;           ///< at least 3; raised to the input's highest degree
   int exceptional = -1;     ///< how many exceptional vertices are allowed; -1: fewest within alpha
+  bool no_overlap = false;  ///< the domain must not overlap itself in the plane
   double corner_angle = 8;  ///< degrees: a joint that turns by more is a corner
   int threads = 0;          ///< 0: as many as there are cores; the result does not depend on it
   std::uint64_t seed = 1;

@@ -11,7 +11,7 @@ namespace c1mesh {
 enum class Flats {
   left_out,  ///< flat triangles that have no boundary edge for their base: nothing crosses when
              ///< they turn over, and chains that straighten must be let through
-  kept,  ///< all but those that are flat to rounding
+  kept,      ///< all but those that are flat to rounding
 };
 
 /// One element for each triangle of the plane around the domain (mesh/scaffold.h), each at its

@@ -197,13 +197,17 @@ DomainState solve_domain(const CurvedMesh& mesh, const Joints& joints, const Rol
     return state;
   if (attempt(start_positions(mesh, joints, roles, state.layout, Start::shape), 1e-3, false))
     return state;
-  UnbendReport unbending;
-  const PointMatrix unbent = unbend_domain(mesh, joints, roles, state.layout, elements,
-                                           options.unbend, unbending, checkpoint);
-  if (attempt(unbent, unbending.reached ? 0 : 1e-3, false)) return state;
-  if (unbending.reached && attempt(unbent, 0, true)) return state;
-  if (!report.valid)
-    attempt(start_positions(mesh, joints, roles, state.layout, Start::convex), 1e-3, false);
+  for (const bool apart : {true, false}) {
+    UnbendOptions how = options.unbend;
+    how.apart = apart;
+    UnbendReport unbending;
+    const PointMatrix unbent =
+        unbend_domain(mesh, joints, roles, state.layout, elements, how, unbending, checkpoint);
+    if (attempt(unbent, unbending.reached ? 0 : 1e-3, false)) return state;
+    if (apart && unbending.reached && attempt(unbent, 0, true)) return state;
+    if (report.valid) return state;
+  }
+  attempt(start_positions(mesh, joints, roles, state.layout, Start::convex), 1e-3, false);
   return state;
 }
 

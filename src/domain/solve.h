@@ -35,7 +35,8 @@ struct DomainState {
   PointMatrix unknowns;
 };
 
-/// Tries the starts in order and keeps the first valid result without crossings, else the best.
+/// Tries the starts in order and keeps the first valid result without crossings, else the best: the
+/// warm one, the shape, the unbent one (kept apart, then not), the convex one.
 DomainState solve_domain(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                          const DomainOptions& options, DomainReport& report,
                          const Checkpoint& checkpoint);

@@ -180,6 +180,10 @@ std::vector<int> winding_faults(const CurvedMesh& mesh, const PointMatrix& point
 }
 
 int boundary_crossings(const CurvedMesh& mesh, const PointMatrix& points) {
+  return static_cast<int>(crossing_vertices(mesh, points).size() / 4);
+}
+
+std::vector<int> crossing_vertices(const CurvedMesh& mesh, const PointMatrix& points) {
   struct Segment {
     int a, b;
     Point p, q;
@@ -192,7 +196,7 @@ int boundary_crossings(const CurvedMesh& mesh, const PointMatrix& points) {
     const double x = std::min(s.p.x(), s.q.x()), y = std::min(t.p.x(), t.q.x());
     return x != y ? x < y : s.a < t.a;
   });
-  int crossings = 0;
+  std::vector<int> crossings;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& s = segments[i];
     const double right = std::max(s.p.x(), s.q.x());
@@ -202,7 +206,8 @@ int boundary_crossings(const CurvedMesh& mesh, const PointMatrix& points) {
       if (s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b) continue;
       const double o1 = cross(s.q - s.p, t.p - s.p), o2 = cross(s.q - s.p, t.q - s.p);
       const double o3 = cross(t.q - t.p, s.p - t.p), o4 = cross(t.q - t.p, s.q - t.p);
-      if ((o1 > 0) != (o2 > 0) && (o3 > 0) != (o4 > 0)) ++crossings;
+      if ((o1 > 0) != (o2 > 0) && (o3 > 0) != (o4 > 0))
+        crossings.insert(crossings.end(), {s.a, s.b, t.a, t.b});
     }
   }
   return crossings;

@@ -37,4 +37,7 @@ std::vector<int> winding_faults(const CurvedMesh& mesh, const PointMatrix& point
 /// Pairs of crossing boundary edges of the domain (the domain overlaps itself in the plane).
 int boundary_crossings(const CurvedMesh& mesh, const PointMatrix& points);
 
+/// The ends of those edges, four for each pair.
+std::vector<int> crossing_vertices(const CurvedMesh& mesh, const PointMatrix& points);
+
 }  // namespace c1mesh

@@ -90,8 +90,9 @@ void add_chain_springs(const std::vector<Joint>& loop, const std::vector<Role>& 
 class Unbending {
  public:
   Unbending(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
-            const DomainElements& given, const Checkpoint& checkpoint)
+            const DomainElements& given, bool apart, const Checkpoint& checkpoint)
       : mesh_(mesh),
+        apart_(apart),
         joints_(joints),
         checkpoint_(checkpoint),
         objective_(mesh),
@@ -106,6 +107,24 @@ class Unbending {
         turns_.back().target = asked_ratio(joints[l][k], roles[l][k]);
       }
     add_wedges(roles, given);
+  }
+
+  // The most that the turns of one chain add up to, from the initial domain to the layout.
+  double largest_turn(const Roles& roles) const {
+    std::vector<double> turn_of(mesh_.vertex_count(), 0);
+    for (const Turn& turn : turns_)
+      if (turn.wedge < 0) turn_of[turn.points[1]] = std::arg(turn.start / turn.target);
+    double largest = 0;
+    for (std::size_t l = 0; l < joints_.size(); ++l) {
+      const std::size_t m = joints_[l].size();
+      double sum = 0;
+      // Twice around: the chain over the loop's first vertex is whole the second time.
+      for (std::size_t k = 0; k < 2 * m; ++k) {
+        sum = ends_chain(roles[l][k % m]) ? 0 : sum + turn_of[joints_[l][k % m].vertex];
+        largest = std::max(largest, std::abs(sum));
+      }
+    }
+    return largest;
   }
 
   // Newton with the turns at `left` (1: the initial ones, 0: the layout's) of their way.
@@ -190,8 +209,9 @@ class Unbending {
     const Eigen::VectorXd before = x_;
     for (const Flats flats : {Flats::left_out, Flats::kept}) {
       x_ = before;
-      objective_.scaffold =
-          scaffold_elements(mesh_, positions(), flats, scaffold_weight(triangles));
+      if (apart_)
+        objective_.scaffold =
+            scaffold_elements(mesh_, positions(), flats, scaffold_weight(triangles));
       iterations_ += newton(objective_, x_, {iterations, 1e-4}, checkpoint_).iterations;
       // Where even the whole scaffold does not help, the unbending goes on without.
       if (objective_.scaffold.empty() || !boundary_meets_itself(mesh_, positions())) break;
@@ -238,6 +258,7 @@ class Unbending {
   }
 
   const CurvedMesh& mesh_;
+  bool apart_;
   const Joints& joints_;
   const Checkpoint& checkpoint_;
   UnbendObjective objective_;
@@ -254,10 +275,12 @@ PointMatrix unbend_domain(const CurvedMesh& mesh, const Joints& joints, const Ro
                           const DomainLayout& layout, const DomainElements& elements,
                           const UnbendOptions& options, UnbendReport& report,
                           const Checkpoint& checkpoint) {
-  Unbending unbending(mesh, joints, roles, elements, checkpoint);
-  for (int stage = 1; stage <= options.stages; ++stage)
-    unbending.turn(1 - static_cast<double>(stage) / options.stages, options.loose,
-                   options.iterations);
+  Unbending unbending(mesh, joints, roles, elements, options.apart, checkpoint);
+  const int stages =
+      std::max(options.stages,
+               static_cast<int>(std::ceil(unbending.largest_turn(roles) / options.stage_turn)));
+  for (int stage = 1; stage <= stages; ++stage)
+    unbending.turn(1 - static_cast<double>(stage) / stages, options.loose, options.iterations);
   for (double stiffness = 4 * options.loose; stiffness <= options.tight; stiffness *= 4)
     unbending.turn(0, stiffness, options.iterations);
   PointMatrix unknowns;

@@ -3,6 +3,8 @@
 // positive, every vertex wound once and the boundary free of crossings (docs/method.md).
 #pragma once
 
+#include <numbers>
+
 #include "domain/energy.h"
 #include "domain/layout.h"
 #include "linear/newton.h"
@@ -10,9 +12,12 @@
 namespace c1mesh {
 
 struct UnbendOptions {
-  int stages = 12;      ///< from the initial turns to the layout's
-  int iterations = 3;   ///< Newton steps in each stage or round
-  int rounds = 25;      ///< multiplier updates, at most
+  int stages = 12;                           ///< from the initial turns to the layout's, at least
+  double stage_turn = std::numbers::pi / 4;  ///< what a stage may turn a chain's end by, radians
+  int iterations = 3;                        ///< Newton steps in each stage or round
+  int rounds = 25;                           ///< multiplier updates, at most
+  bool apart =
+      true;  ///< keep the boundary from crossing itself; false: only every triangle positive
   double loose = 10;    ///< stiffness of the turns on their way, relative to a mean triangle
   double tight = 2560;  ///< of the turns at the layout's
   double most = 1e5;    ///< of the layout's positions, at most

@@ -91,6 +91,7 @@ class Ladder {
     AttemptOptions settings;
     settings.domain.weights.wedge = wedge;
     settings.domain.warm = variant.warm;
+    settings.no_overlap = settings.domain.no_overlap = options_.no_overlap;
     last_ = attempt_region(variant.mesh, variant.joints, roles, settings, checkpoint_);
     if (last_.domain_valid) variant.warm = last_.domain_stage;
     if (last_.success) consider(variant, how);
