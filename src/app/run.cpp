@@ -175,6 +175,8 @@ void add_method_options(CLI::App& cli, RunArguments& arguments) {
          "How many exceptional vertices are allowed: N, or min (the fewest within the bound)")
       ->capture_default_str()
       ->check(check_exceptional);
+  cli.add_flag("--no-overlap", options.no_overlap,
+               "The domain must not overlap itself in the plane");
   cli.add_option("--corner-angle", options.corner_angle,
                  "Degrees: joints that turn more are corners")
       ->capture_default_str()

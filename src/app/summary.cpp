@@ -73,11 +73,12 @@ std::vector<std::string> missed_bounds(const Outcome& outcome, const Options& op
   if (options.exceptional >= 0 && metrics.exceptional > options.exceptional)
     missed.push_back(fmt::format("{} vertices are exceptional where {} were allowed",
                                  metrics.exceptional, options.exceptional));
+  if (options.no_overlap && metrics.domain_overlaps)
+    missed.emplace_back("the domain overlaps itself in the plane");
   for (const VerifyItem& item : outcome.report.items)
     if (item.verdict != Verdict::valid)
       missed.push_back(fmt::format("{} is {}: {}", item.name, name_of(item.verdict), item.message));
-  if (outcome.gave_up)
-    missed.emplace_back("C1 was given up at every boundary vertex of a region");
+  if (outcome.gave_up) missed.emplace_back("C1 was given up at every boundary vertex of a region");
   if (missed.empty()) missed.emplace_back("a bound that was asked is missed");
   return missed;
 }

@@ -100,7 +100,6 @@ DomainElements domain_elements(const CurvedMesh& mesh, const Joints& joints, con
         // Only the side it turns to matters here: a corner keeps its own, a smooth vertex turns
         // as the loop's polygon must.
         DomainElement wedge;
-        if (joint.kind == JointKind::mild) continue;
         if (joint.kind != JointKind::corner && roles[l][k] == Role::released) continue;
         if (joint.kind == JointKind::corner)
           wedge = corner_wedge(previous, joint.vertex, next, joint.d0, joint.d1, joint.convex());

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "domain/apart.h"
+#include "domain/unbend.h"
+
 namespace c1mesh {
 namespace {
 
@@ -52,11 +55,43 @@ struct Attempt {
   DomainReport report;
 };
 
+// Newton that keeps the boundary from crossing itself: a few steps at a time with a fresh scaffold.
+// Steps after which it crosses nevertheless are undone and taken with the whole scaffold.
+NewtonReport minimise_apart(const CurvedMesh& mesh, const DomainLayout& layout,
+                            const DomainElements& elements, double exponent,
+                            const NewtonOptions& options, Eigen::VectorXd& x,
+                            const Checkpoint& checkpoint) {
+  NewtonReport total;
+  Flats flats = Flats::left_out;
+  while (total.iterations < options.max_iterations && !total.converged) {
+    const Eigen::VectorXd before = x;
+    std::vector<DomainElement> all = elements.all;
+    const std::vector<DomainElement> scaffold = scaffold_elements(
+        mesh, layout.exact * unflatten(x), flats, scaffold_weight(elements.triangles));
+    all.insert(all.end(), scaffold.begin(), scaffold.end());
+    DomainObjective objective(layout, std::move(all));
+    objective.exponent = exponent;
+    const NewtonReport part = newton(objective, x, {5, options.relative_decrease}, checkpoint);
+    total.iterations += part.iterations;
+    total.converged = part.converged;
+    if (!boundary_meets_itself(mesh, layout.exact * unflatten(x))) continue;
+    x = before;
+    total.converged = false;
+    if (flats == Flats::kept) break;
+    flats = Flats::kept;
+  }
+  DomainObjective plain(layout, elements.all);
+  plain.exponent = exponent;
+  total.value = plain.value(x);
+  return total;
+}
+
 // Where the start's least relative determinant is under `least_start` (a Tutte embedding underflows
 // long before it inverts): untangles with the holes filled. Then minimises without the filling.
 Attempt attempt_start(const CurvedMesh& mesh, const DomainLayout& layout,
                       const DomainElements& elements, const DomainOptions& options,
-                      PointMatrix start, double least_start, const Checkpoint& checkpoint) {
+                      PointMatrix start, double least_start, bool apart,
+                      const Checkpoint& checkpoint) {
   Attempt out;
   out.unknowns = std::move(start);
   normalise_domain(mesh, layout, out.unknowns);
@@ -85,12 +120,16 @@ Attempt attempt_start(const CurvedMesh& mesh, const DomainLayout& layout,
   if (out.report.inverted.empty()) out.report.inverted = winding_faults(mesh, points);
   if (!out.report.inverted.empty()) return out;
 
-  const NewtonReport first = newton(objective, x, {options.newton_iterations, 1e-4}, checkpoint);
+  const auto minimise = [&](const NewtonOptions& steps) {
+    return apart ? minimise_apart(mesh, layout, elements, objective.exponent, steps, x, checkpoint)
+                 : newton(objective, x, steps, checkpoint);
+  };
+  const NewtonReport first = minimise({options.newton_iterations, 1e-4});
   out.report.newton_iterations = first.iterations;
   out.report.energy = first.value;
   for (objective.exponent = 2; objective.exponent <= options.final_exponent;
        objective.exponent *= 2)
-    out.report.newton_iterations += newton(objective, x, {15, 1e-3}, checkpoint).iterations;
+    out.report.newton_iterations += minimise({15, 1e-3}).iterations;
   out.unknowns = unflatten(x);
   normalise_domain(mesh, layout, out.unknowns);
   const PointMatrix final_points = layout.exact * out.unknowns;
@@ -142,9 +181,9 @@ DomainState solve_domain(const CurvedMesh& mesh, const Joints& joints, const Rol
       domain_elements(mesh, joints, roles, state.layout, options.weights);
   bool first = true;
   // Returns true when nothing better is to be expected.
-  const auto attempt = [&](PointMatrix start, double least_start) {
-    Attempt next = attempt_start(mesh, state.layout, elements, options, std::move(start),
-                                 least_start, checkpoint);
+  const auto attempt = [&](const PointMatrix& start, double least_start, bool apart) {
+    Attempt next =
+        attempt_start(mesh, state.layout, elements, options, start, least_start, apart, checkpoint);
     if (first || better(next.report, report)) {
       report = next.report;
       state.unknowns = next.unknowns;
@@ -153,10 +192,22 @@ DomainState solve_domain(const CurvedMesh& mesh, const Joints& joints, const Rol
     return report.valid && report.crossings == 0;
   };
   if (!options.warm.empty() &&
-      (attempt(unknowns_of_shape(options.warm, joints, state.layout), 0) || report.valid))
+      (attempt(unknowns_of_shape(options.warm, joints, state.layout), 0, false) ||
+       (report.valid && !options.no_overlap)))
     return state;
-  for (const Start start : {Start::shape, Start::convex})
-    if (attempt(start_positions(mesh, joints, roles, state.layout, start), 1e-3)) break;
+  if (attempt(start_positions(mesh, joints, roles, state.layout, Start::shape), 1e-3, false))
+    return state;
+  for (const bool apart : {true, false}) {
+    UnbendOptions how = options.unbend;
+    how.apart = apart;
+    UnbendReport unbending;
+    const PointMatrix unbent =
+        unbend_domain(mesh, joints, roles, state.layout, elements, how, unbending, checkpoint);
+    if (attempt(unbent, unbending.reached ? 0 : 1e-3, false)) return state;
+    if (apart && unbending.reached && attempt(unbent, 0, true)) return state;
+    if (report.valid) return state;
+  }
+  attempt(start_positions(mesh, joints, roles, state.layout, Start::convex), 1e-3, false);
   return state;
 }
 

@@ -5,6 +5,7 @@
 #include "domain/energy.h"
 #include "domain/minimise.h"
 #include "domain/start.h"
+#include "domain/unbend.h"
 
 namespace c1mesh {
 
@@ -13,7 +14,9 @@ struct DomainOptions {
   int untangle_iterations = 120;
   int newton_iterations = 60;
   double final_exponent = 4;  ///< p-norm that ends the optimisation (1: none)
-  DomainShape warm;           ///< to start from, tried first; empty: none
+  UnbendOptions unbend;
+  bool no_overlap = false;  ///< a start whose boundary crosses itself is not good enough
+  DomainShape warm;         ///< to start from, tried first; empty: none
 };
 
 struct DomainReport {
@@ -32,7 +35,8 @@ struct DomainState {
   PointMatrix unknowns;
 };
 
-/// Tries the starts in order and keeps the first valid result without crossings, else the best.
+/// Tries the starts in order and keeps the first valid result without crossings, else the best: the
+/// warm one, the shape, the unbent one (kept apart, then not), the convex one.
 DomainState solve_domain(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                          const DomainOptions& options, DomainReport& report,
                          const Checkpoint& checkpoint);

@@ -98,9 +98,10 @@ PointMatrix initial_points(const CurvedMesh& mesh) {
   return points;
 }
 
-// Unknowns from wanted positions of all vertices; the vectors w are the turned incoming edges.
-PointMatrix unknowns_from(const PointMatrix& wanted, const Joints& joints,
-                          const DomainLayout& layout) {
+}  // namespace
+
+PointMatrix unknowns_near_points(const PointMatrix& wanted, const Joints& joints,
+                                 const DomainLayout& layout) {
   PointMatrix unknowns = PointMatrix::Zero(layout.unknowns(), 2);
   for (Eigen::Index v = 0; v < wanted.rows(); ++v)
     if (layout.unknown_of_row[v] >= 0) unknowns.row(layout.unknown_of_row[v]) = wanted.row(v);
@@ -114,8 +115,6 @@ PointMatrix unknowns_from(const PointMatrix& wanted, const Joints& joints,
     }
   return unknowns;
 }
-
-}  // namespace
 
 DomainShape shape_of_domain(int vertices, const Joints& joints, const DomainLayout& layout,
                             const PointMatrix& unknowns) {
@@ -132,7 +131,7 @@ DomainShape shape_of_domain(int vertices, const Joints& joints, const DomainLayo
 PointMatrix unknowns_of_shape(const DomainShape& shape, const Joints& joints,
                               const DomainLayout& layout) {
   const PointMatrix& points = shape.points;
-  PointMatrix unknowns = unknowns_from(points, joints, layout);
+  PointMatrix unknowns = unknowns_near_points(points, joints, layout);
   for (std::size_t l = 0; l < joints.size(); ++l) {
     const std::size_t m = joints[l].size();
     for (std::size_t k = 0; k < m; ++k) {
@@ -168,7 +167,7 @@ PointMatrix start_positions(const CurvedMesh& mesh, const Joints& joints, const 
     solve_average(graph_edges(mesh, true), fixed, points);
     wanted = points.topRows(vertices);
   }
-  PointMatrix unknowns = unknowns_from(wanted, joints, layout);
+  PointMatrix unknowns = unknowns_near_points(wanted, joints, layout);
   // The boundary is now where the chains put it; let the interior follow.
   const PointMatrix placed = (layout.exact * unknowns).topRows(vertices);
   PointMatrix points = start == Start::shape ? PointMatrix(placed - initial) : placed;
@@ -201,6 +200,10 @@ std::vector<int> winding_faults(const CurvedMesh& mesh, const PointMatrix& point
 }
 
 int boundary_crossings(const CurvedMesh& mesh, const PointMatrix& points) {
+  return static_cast<int>(crossing_vertices(mesh, points).size() / 4);
+}
+
+std::vector<int> crossing_vertices(const CurvedMesh& mesh, const PointMatrix& points) {
   struct Segment {
     int a, b;
     Point p, q;
@@ -213,7 +216,7 @@ int boundary_crossings(const CurvedMesh& mesh, const PointMatrix& points) {
     const double x = std::min(s.p.x(), s.q.x()), y = std::min(t.p.x(), t.q.x());
     return x != y ? x < y : s.a < t.a;
   });
-  int crossings = 0;
+  std::vector<int> crossings;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& s = segments[i];
     const double right = std::max(s.p.x(), s.q.x());
@@ -223,7 +226,8 @@ int boundary_crossings(const CurvedMesh& mesh, const PointMatrix& points) {
       if (s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b) continue;
       const double o1 = cross(s.q - s.p, t.p - s.p), o2 = cross(s.q - s.p, t.q - s.p);
       const double o3 = cross(t.q - t.p, s.p - t.p), o4 = cross(t.q - t.p, s.q - t.p);
-      if ((o1 > 0) != (o2 > 0) && (o3 > 0) != (o4 > 0)) ++crossings;
+      if ((o1 > 0) != (o2 > 0) && (o3 > 0) != (o4 > 0))
+        crossings.insert(crossings.end(), {s.a, s.b, t.a, t.b});
     }
   }
   return crossings;

@@ -42,11 +42,19 @@ DomainShape shape_of_domain(int vertices, const Joints& joints, const DomainLayo
 PointMatrix unknowns_of_shape(const DomainShape& shape, const Joints& joints,
                               const DomainLayout& layout);
 
+/// Unknowns for positions that satisfy the chains nearly: chain vertices move onto them, and the
+/// vectors w are the incoming edges turned by 90 degrees, the optimum of the joints' wedges.
+PointMatrix unknowns_near_points(const PointMatrix& points, const Joints& joints,
+                                 const DomainLayout& layout);
+
 /// Interior vertices not wound exactly once and boundary vertices wound more than once, given that
 /// all triangles are positive. Positive triangles alone do not exclude them.
 std::vector<int> winding_faults(const CurvedMesh& mesh, const PointMatrix& points);
 
 /// Pairs of crossing boundary edges of the domain (the domain overlaps itself in the plane).
 int boundary_crossings(const CurvedMesh& mesh, const PointMatrix& points);
+
+/// The ends of those edges, four for each pair.
+std::vector<int> crossing_vertices(const CurvedMesh& mesh, const PointMatrix& points);
 
 }  // namespace c1mesh

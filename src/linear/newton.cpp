@@ -17,7 +17,7 @@ double newton_step(const Objective& objective, SparseSolver& solver, Eigen::Vect
   const double slope = gradient.dot(direction);
   if (!(slope < 0)) return 0;
   // Backtracking halves; far from validity a quarter saves evaluations.
-  for (double trial = 1; trial > 1e-10; trial *= 0.5) {
+  for (double trial = objective.step_limit(x, direction); trial > 1e-10; trial *= 0.5) {
     const Eigen::VectorXd there = x + trial * direction;
     const double f = objective.value(there);
     if (f <= value + 1e-4 * trial * slope) {

@@ -19,6 +19,11 @@ class Objective {
   /// approximation (elements projected), so that Newton directions descend.
   virtual double derivatives(const Eigen::VectorXd& x, Eigen::VectorXd& gradient,
                              SparseMatrix& hessian) const = 0;
+  /// The longest step x + t direction to try, 0 < t <= 1.
+  virtual double step_limit(const Eigen::VectorXd& /*x*/,
+                            const Eigen::VectorXd& /*direction*/) const {
+    return 1;
+  }
 };
 
 struct NewtonOptions {

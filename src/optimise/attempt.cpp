@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "domain/apart.h"
+
 namespace c1mesh {
 namespace {
 
@@ -33,7 +35,11 @@ Attempt attempt_region(const CurvedMesh& mesh, const Joints& joints, const Roles
   out.crossings = report.crossings;
   out.energy = report.energy;
   out.trouble = report.inverted;
-  if (!report.valid) return out;
+  if (options.no_overlap && report.valid && report.crossings > 0) {
+    out.domain_valid = false;
+    out.trouble = crossing_vertices(mesh, domain.layout.exact * domain.unknowns);
+  }
+  if (!out.domain_valid) return out;
   out.domain_stage = shape_of_domain(mesh.vertex_count(), joints, domain.layout, domain.unknowns);
 
   MapState state{domain.unknowns, mesh.control};
@@ -42,11 +48,14 @@ Attempt attempt_region(const CurvedMesh& mesh, const Joints& joints, const Roles
   asked.insert(asked.end(), more.begin(), more.end());
   const DomainElements elements =
       domain_elements(mesh, joints, roles, domain.layout, options.domain.weights);
-  optimise_jointly(mesh, domain.layout, asked, elements, options.joint, state, checkpoint);
+  JointOptions joint = options.joint;
+  joint.no_overlap = options.no_overlap;
+  optimise_jointly(mesh, domain.layout, asked, elements, joint, state, checkpoint);
   const ExactReport exact =
       make_exact(mesh, domain.layout, asked, options.exact, state, checkpoint);
   finish(mesh, joints, domain.layout, state, exact, out);
   out.crossings = boundary_crossings(mesh, out.domain.points);
+  if (options.no_overlap && boundary_meets_itself(mesh, out.domain.points)) out.success = false;
   return out;
 }
 

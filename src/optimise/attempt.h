@@ -12,6 +12,7 @@ struct AttemptOptions {
   DomainOptions domain;
   JointOptions joint;
   ExactOptions exact;
+  bool no_overlap = false;  ///< a map over a domain that overlaps itself is no success
 };
 
 /// What one try reached.

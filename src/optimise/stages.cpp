@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "domain/apart.h"
 #include "mesh/topology.h"
 
 namespace c1mesh {
@@ -55,6 +57,31 @@ void drive_to_zero(MapObjective& objective, const ExactOptions& options, Eigen::
   }
 }
 
+// A few steps at a time, each time with a fresh scaffold around the domain. Steps after which the
+// boundary crosses itself nevertheless are undone and taken with the scaffold's flat triangles too.
+void optimise_apart(const CurvedMesh& mesh, const DomainLayout& layout,
+                    const std::vector<DomainElement>& extras, int iterations,
+                    const std::function<bool(std::vector<DomainElement>, int)>& run,
+                    MapState& state) {
+  constexpr int kSteps = 5;
+  Flats flats = Flats::left_out;
+  for (int done = 0; done < iterations; done += kSteps) {
+    const MapState before = state;
+    std::vector<DomainElement> all = extras;
+    const std::vector<DomainElement> scaffold = scaffold_elements(
+        mesh, layout.exact * state.unknowns, flats, scaffold_weight(mesh.triangle_count()));
+    all.insert(all.end(), scaffold.begin(), scaffold.end());
+    const bool converged = run(std::move(all), kSteps);
+    if (!boundary_meets_itself(mesh, layout.exact * state.unknowns)) {
+      if (converged) return;
+      continue;
+    }
+    state = before;
+    if (flats == Flats::kept) return;
+    flats = Flats::kept;
+  }
+}
+
 }  // namespace
 
 std::vector<C1Edge> asked_edges(const CurvedMesh& mesh, const Joints& joints, const Roles& roles) {
@@ -85,15 +112,22 @@ JointReport optimise_jointly(const CurvedMesh& mesh, const DomainLayout& layout,
     element.weight *= options.domain_quality;
     extras.push_back(element);
   }
-  MapObjective objective(mesh, layout, asked, std::move(extras), state, true);
-  objective.rho = options.rho;
-  objective.exponent = options.exponent;
-  Eigen::VectorXd x = objective.pack(state);
-  const NewtonReport newton_report = newton(objective, x, {options.iterations, 1e-4}, checkpoint);
-  state = objective.unpack(x);
   JointReport report;
-  report.iterations = newton_report.iterations;
-  report.energy = newton_report.value;
+  const auto run = [&](std::vector<DomainElement> all, int iterations) {
+    MapObjective objective(mesh, layout, asked, std::move(all), state, true);
+    objective.rho = options.rho;
+    objective.exponent = options.exponent;
+    Eigen::VectorXd x = objective.pack(state);
+    const NewtonReport part = newton(objective, x, {iterations, 1e-4}, checkpoint);
+    state = objective.unpack(x);
+    report.iterations += part.iterations;
+    report.energy = part.value;
+    return part.converged;
+  };
+  if (options.no_overlap)
+    optimise_apart(mesh, layout, extras, options.iterations, run, state);
+  else
+    run(std::move(extras), options.iterations);
   report.residue = largest_residue(asked, layout.exact * state.unknowns, state.control);
   return report;
 }

@@ -17,6 +17,7 @@ struct JointOptions {
   double domain_quality = 1;  ///< weight that keeps domain triangles near the domain stage's
   int iterations = 25;
   double exponent = 1;
+  bool no_overlap = false;  ///< the boundary of the domain, free of crossings, stays so
 };
 
 struct JointReport {

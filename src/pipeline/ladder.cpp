@@ -106,6 +106,7 @@ class Ladder {
       settings.joint.rho = 100;
       settings.joint.domain_quality = 0.3;
     }
+    settings.no_overlap = settings.domain.no_overlap = options_.no_overlap;
     last_ = attempt_region(variant.mesh, variant.joints, roles, settings, checkpoint_);
     if (last_.domain_valid) variant.warm = last_.domain_stage;
     if (last_.success) consider(variant, how);

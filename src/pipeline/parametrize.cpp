@@ -41,6 +41,7 @@ bool within(const Outcome& outcome, const Options& options) {
   const Metrics& m = outcome.result.metrics;
   return outcome.report.valid() && !outcome.gave_up &&
          m.mips_bound_max <= options.alpha * options.mips_bound &&
+         !(options.no_overlap && m.domain_overlaps) &&
          (options.exceptional < 0 || m.exceptional <= options.exceptional);
 }
 

@@ -138,5 +138,26 @@ TEST_P(RandomShapes, AreDone) {
 
 INSTANTIATE_TEST_SUITE_P(SetA, RandomShapes, testing::Range(0, 5));
 
+// A comb's teeth end side by side; the arrow's hole folds easily.
+TEST(NoOverlap, HoldsWhereAskedAndIsSaid) {
+  Options options;
+  options.no_overlap = true;
+  std::vector<Point> comb = {{0, 0}, {9, 0}};
+  for (int tooth = 4; tooth >= 0; --tooth) {
+    if (tooth < 4) comb.emplace_back(2 * tooth + 1, 1);
+    comb.emplace_back(2 * tooth + 1, 6);
+    comb.emplace_back(2 * tooth, 6);
+    if (tooth > 0) comb.emplace_back(2 * tooth, 1);
+  }
+  for (const Shape& shape :
+       {polygon(comb), concentric({1, 0.4}), data("corpus/M_ion_archive_p1.json")}) {
+    const Outcome outcome = parametrize(shape, options);
+    expect_valid_and_c1(outcome);
+    EXPECT_FALSE(outcome.result.metrics.domain_overlaps);
+    EXPECT_TRUE(outcome.within_bounds);
+    EXPECT_EQ(outcome.result.parameters.back().first, "no_overlap");
+  }
+}
+
 }  // namespace
 }  // namespace c1mesh
