@@ -94,16 +94,19 @@ class Refiner {
   }
 
   // Small angles that no refinement can mend: between two constraints, or across such an angle,
-  // where splitting one constraint makes the other bad, and so on into the corner.
+  // where splitting one constraint makes the other bad, and so on into the corner. Not so between
+  // two given vertices, as the apexes of neighbouring warp triangles are: nothing was split there.
   bool is_given(Face f, int k) const {
     if (f->is_constrained(ccw(k)) && f->is_constrained(cw(k))) return true;
     const Vertex a = f->vertex(ccw(k)), b = f->vertex(cw(k));
-    if (share_line(a, b)) return false;
+    if (share_line(a, b) || (is_input(a) && is_input(b))) return false;
     for (int first : a->info().lines)
       for (int second : b->info().lines)
         if (meet_sharply(first, second)) return true;
     return false;
   }
+
+  static bool is_input(Vertex v) { return v->info().number >= 0; }
 
   bool meet_sharply(int first, int second) const {
     for (int i : {0, 1})
