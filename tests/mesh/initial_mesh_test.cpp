@@ -139,18 +139,16 @@ TEST(InitialMesh, ManyShortCurvesMakeNoFan) {
     EXPECT_GT(least_angle(expect_sound(input_of({blob(count, 0.1, 5)}))), 11.5) << count;
 }
 
-// A strip narrower than its shortest boundary edge: lines, so nothing else asks for small
-// triangles.
+// A comb whose back is far narrower than any of its edges is long.
 TEST(InitialMesh, NarrowStripsHaveSoundTriangles) {
-  const CurvedMesh mesh = expect_sound(input_of({polygon({{0, 0},
-                                                          {1, 0},
-                                                          {1, 0.05},
-                                                          {0.8, 0.05},
-                                                          {0.8, 0.25},
-                                                          {0.6, 0.25},
-                                                          {0.6, 0.05},
-                                                          {0, 0.05}})}));
-  EXPECT_GT(least_angle(mesh), 14.5);
+  std::vector<Point> points = {{0, 0}, {1, 0}};
+  for (int tooth = 5; tooth >= 0; --tooth) {
+    const double right = (2 * tooth + 1) / 11.0, left = 2 * tooth / 11.0;
+    if (tooth < 5) points.push_back({right, 0.02});
+    points.insert(points.end(), {Point(right, 0.2), Point(left, 0.2)});
+    if (tooth > 0) points.push_back({left, 0.02});
+  }
+  EXPECT_GT(least_angle(expect_sound(input_of({polygon(points)}))), 14.5);
 }
 
 TEST(InitialMesh, LoopOfOneCurve) {
