@@ -209,6 +209,14 @@ def family_cells(family, runs):
     return cells + [f"{quantile(seconds, .5):.2f}", f"{max(seconds):.2f}"]
 
 
+def run_options(folder):
+    """What RUN_OPTIONS held, as an assignment before a command; nothing if it was empty."""
+    machine = pathlib.Path(folder) / "machine.txt"
+    text = machine.read_text(encoding="utf-8") if machine.exists() else ""
+    options = re.search(r"^options --threads 1 --formats \S+ (\S.*)$", text, re.MULTILINE)
+    return f'RUN_OPTIONS="{options.group(1).strip()}" ' if options else ""
+
+
 def families_page(folder):
     """The inputs are called FAMILY-0001 and so on."""
     runs = runs_in(folder)
@@ -218,7 +226,7 @@ def families_page(folder):
     most = max(len(members) for members in families.values())
     commands = [f"for f in {' '.join(families)}; do",
                 f"  c1mesh generate --family $f --count {most} --seed 1 -o out/hard-in", "done",
-                "docs/battery.sh build/release/bin/c1mesh out/hard out/hard-in/*.json",
+                f"{run_options(folder)}docs/battery.sh build/release/bin/c1mesh out/hard out/hard-in/*.json",
                 "docs/tables.py families out/hard > docs/hard.md"]
     head = ["family", "shapes", "status 0", "status 4", "other", "surplus, mean", "surplus, worst",
             "g, median", "g, worst", "max d_ei", "conformance", "seconds, median", "seconds, worst"]

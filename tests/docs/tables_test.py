@@ -82,6 +82,12 @@ class Tables(unittest.TestCase):
         self.assertIn("## What is not of status 0", done.stdout)
         self.assertIn("for f in bad-comb comb maze; do", done.stdout)
         self.assertIn("--family $f --count 2 --seed 1", done.stdout)
+        self.assertIn("\ndocs/battery.sh build", done.stdout)
+        machine = self.root / "out" / "machine.txt"
+        machine.write_text(machine.read_text(encoding="utf-8").replace(
+            "--formats json ", "--formats json --time-limit 60"), encoding="utf-8")
+        self.assertIn('\nRUN_OPTIONS="--time-limit 60" docs/battery.sh build',
+                      self.table("families", str(self.root / "out")).stdout)
 
     def test_a_run_that_did_not_end_is_refused(self):
         self.battery("out", {"one": "0"})
