@@ -189,7 +189,7 @@ class Assembler {
 constexpr std::size_t kManySegments = 30000;
 // Long narrow shapes would be filled with well-shaped triangles by the thousand. Slender ones along
 // them serve as well there, since the domain is as slender: above both numbers they are taken.
-constexpr std::size_t kManyTriangles = 1000, kManyPerCurve = 50;
+constexpr std::size_t kManyTriangles = 400, kManyPerCurve = 50;
 
 struct Straight {
   std::vector<std::vector<WarpSegment>> layer;

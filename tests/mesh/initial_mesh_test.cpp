@@ -121,7 +121,7 @@ double least_angle(const CurvedMesh& mesh) {
   return least;
 }
 
-// Well-shaped triangles across a ring number in proportion to length over width. Beyond a thousand,
+// Well-shaped triangles across a ring number in proportion to length over width. Beyond some hundreds,
 // slender ones are taken: their number grows with the logarithm.
 TEST(InitialMesh, ThinAnnulus) {
   const CurvedMesh broad = expect_sound(annulus(0.05));
