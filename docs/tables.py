@@ -115,7 +115,8 @@ def histogram(runs):
         rows = [[str(value), str(count)]
                 for value, count in counts([run.metrics["surplus"] for run in done]).items()]
         parts.append(markdown_table(["surplus", "results"], rows, 0))
-    taken = counts([run.remedies for run in runs if run.remedies])
+    # What a remedy says in brackets is about that shape alone.
+    taken = counts([re.sub(r" \([^)]*\)", "", run.remedies) for run in runs if run.remedies])
     if taken:
         rows = sorted(taken.items(), key=lambda item: (-item[1], item[0]))
         parts.append(markdown_table(["remedies", "results"],

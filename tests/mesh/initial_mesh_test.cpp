@@ -121,8 +121,8 @@ double least_angle(const CurvedMesh& mesh) {
   return least;
 }
 
-// Well-shaped triangles across a ring number in proportion to length over width. Beyond some hundreds,
-// slender ones are taken: their number grows with the logarithm.
+// Well-shaped triangles across a ring number in proportion to length over width. Beyond some
+// hundreds, slender ones are taken: their number grows with the logarithm.
 TEST(InitialMesh, ThinAnnulus) {
   const CurvedMesh broad = expect_sound(annulus(0.05));
   EXPECT_GT(least_angle(broad), 11.5);
