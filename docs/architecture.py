@@ -34,7 +34,7 @@ MODULES = {
     "verify": ("road", "Result", "VerifyReport: proofs and metrics"),
     "pipeline": ("road", "Shape, Options", "Outcome: Result, verified"),
     "write": ("road", "Result", "SVG, VTU"),
-    "generate": ("side", "set, count, seed", "Drawing: random shapes"),
+    "generate": ("side", "set or family, count, seed", "Drawing: random and hard shapes"),
     "library": ("end", "every module above", "c1mesh::c1mesh: what include/c1mesh declares"),
     "app": ("end", "a command line", "the program c1mesh: files, summary, exit status"),
 }

@@ -5,6 +5,7 @@
 usage: docs/tables.py examples FOLDER > docs/examples.md
        docs/tables.py corpus FOLDER [INPUTS] > docs/corpus.md
        docs/tables.py sets FOLDER_A FOLDER_B FOLDER_C > docs/sets.md
+       docs/tables.py families FOLDER > docs/hard.md
 
 A folder holds NAME.log (all that was printed, then "STATUS n" and "WALL seconds") and, where a
 result was written, NAME.c1.json; and machine.txt. Fails if a log has no STATUS or WALL line: a run
@@ -114,7 +115,8 @@ def histogram(runs):
         rows = [[str(value), str(count)]
                 for value, count in counts([run.metrics["surplus"] for run in done]).items()]
         parts.append(markdown_table(["surplus", "results"], rows, 0))
-    taken = counts([run.remedies for run in runs if run.remedies])
+    # What a remedy says in brackets is about that shape alone.
+    taken = counts([re.sub(r" \([^)]*\)", "", run.remedies) for run in runs if run.remedies])
     if taken:
         rows = sorted(taken.items(), key=lambda item: (-item[1], item[0]))
         parts.append(markdown_table(["remedies", "results"],
@@ -189,11 +191,64 @@ def sets_page(folders):
     return page("Random shapes, sets A, B and C", commands, parts)
 
 
+def family_cells(family, runs):
+    """One line for a family; the runs without a result count in status and seconds only."""
+    done = [run for run in runs if run.metrics is not None]
+    statuses = [run.status for run in runs]
+    other = counts([status for status in statuses if status not in (0, 4)])
+    cells = [family, str(len(runs)), str(statuses.count(0)), str(statuses.count(4)),
+             ", ".join(f"{count} of status {status}" for status, count in other.items()) or "-"]
+    if done:
+        surplus = [run.metrics["surplus"] for run in done]
+        g = [run.g for run in done]
+        cells += [f"{sum(surplus) / len(done):.1f}", str(max(surplus)), f"{quantile(g, .5):.4g}",
+                  f"{max(g):.4g}", f"{max(run.metrics['d_ei']['max'] for run in done):.1e}",
+                  f"{max(run.metrics['conformance_max'] for run in done):.1e}"]
+    else:
+        cells += ["-"] * 6
+    seconds = [run.seconds for run in runs]
+    return cells + [f"{quantile(seconds, .5):.2f}", f"{max(seconds):.2f}"]
+
+
+def run_options(folder):
+    """What RUN_OPTIONS held, as an assignment before a command; nothing if it was empty."""
+    machine = pathlib.Path(folder) / "machine.txt"
+    text = machine.read_text(encoding="utf-8") if machine.exists() else ""
+    options = re.search(r"^options --threads 1 --formats \S+ (\S.*)$", text, re.MULTILINE)
+    return f'RUN_OPTIONS="{options.group(1).strip()}" ' if options else ""
+
+
+def families_page(folder):
+    """The inputs are called FAMILY-0001 and so on."""
+    runs = runs_in(folder)
+    families = {}
+    for run in runs:
+        families.setdefault(run.name.rsplit("-", 1)[0], []).append(run)
+    most = max(len(members) for members in families.values())
+    commands = [f"for f in {' '.join(families)}; do",
+                f"  c1mesh generate --family $f --count {most} --seed 1 -o out/hard-in", "done",
+                f"{run_options(folder)}docs/battery.sh build/release/bin/c1mesh out/hard out/hard-in/*.json",
+                "docs/tables.py families out/hard > docs/hard.md"]
+    head = ["family", "shapes", "status 0", "status 4", "other", "surplus, mean", "surplus, worst",
+            "g, median", "g, worst", "max d_ei", "conformance", "seconds, median", "seconds, worst"]
+    about = ("Shapes made by formulas, each family with a parameter that runs from pleasant to nasty "
+             "(`c1mesh generate --help` says which and how far).")
+    missed = [run for run in runs if run.status != 0]
+    parts = [about, conditions(folder, runs), LEGEND, "## Families",
+             markdown_table(head, [family_cells(*item) for item in sorted(families.items())]),
+             "## All together", markdown_table(["", "all"], summary_rows(runs)), histogram(runs)]
+    if missed:
+        parts += ["## What is not of status 0", full_table(missed)]
+    return page("Hard shapes", commands, parts + ["## Every shape", full_table(runs)])
+
+
 def main(arguments):
     if len(arguments) == 2 and arguments[0] == "examples":
         text = examples_page(arguments[1])
     elif len(arguments) in (2, 3) and arguments[0] == "corpus":
         text = corpus_page(*arguments[1:])
+    elif len(arguments) == 2 and arguments[0] == "families":
+        text = families_page(arguments[1])
     elif len(arguments) == 4 and arguments[0] == "sets":
         text = sets_page(arguments[1:])
     else:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random piecewise smooth shapes for experiments, and Drawings as text.
+// Random piecewise smooth shapes and families of hard shapes for experiments, and Drawings as text.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,29 @@ namespace c1mesh {
 /// Shape number i depends on (set, seed, i) alone and is the same on every machine.
 /// Throws std::invalid_argument for another set or a negative count.
 std::vector<Drawing> generate(char set, int count, std::uint64_t seed);
+
+/// A family of hard shapes. Its parameter runs from pleasant to nasty.
+struct Family {
+  std::string name;
+  std::string parameter;  ///< what it says about a shape
+  double pleasant = 0, nasty = 0;
+  int highest_degree = 1;  ///< of any curve of any shape
+};
+
+struct FamilyShape {
+  double parameter = 0;
+  Drawing drawing;
+};
+
+/// Every family there is.
+std::vector<Family> families();
+
+/// `count` shapes of a family, named "comb-0001" and so on; the parameter is `pleasant` for the
+/// first and `nasty` for the last (and for a single one), in equal steps or equal ratios between.
+/// Every shape is valid input, though `check` may have repairs to say. The same on every machine;
+/// `seed` matters where a family has chance in it. Throws std::invalid_argument for another name or
+/// a negative count.
+std::vector<FamilyShape> generate_family(const std::string& name, int count, std::uint64_t seed);
 
 /// The drawing as JSON input text; doubles read back bit for bit, but -0 as 0.
 std::string drawing_json(const Drawing& drawing);

@@ -7,7 +7,9 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "bernstein/curve.h"
 #include "mesh/guard.h"
@@ -185,6 +187,40 @@ class Assembler {
 };
 
 constexpr std::size_t kManySegments = 30000;
+// Long narrow shapes would be filled with well-shaped triangles by the thousand. Slender ones along
+// them serve as well there, since the domain is as slender: above both numbers they are taken.
+constexpr std::size_t kManyTriangles = 400, kManyPerCurve = 50;
+
+struct Straight {
+  std::vector<std::vector<WarpSegment>> layer;
+  StraightMesh mesh;
+};
+
+// Nothing if the usual way needs too many triangles; then `report` says so.
+std::optional<Straight> usual_straight(const MeshInput& input, double mips_bound,
+                                       MeshReport& report) {
+  const meshing::Thrift thrift = meshing::usual_thrift();
+  auto layer = meshing::build_warp_layer(input, mips_bound, thrift, kManySegments, report);
+  std::string many = fmt::format("over {} warp triangles", kManySegments);
+  if (layer) {
+    StraightMesh mesh = meshing::triangulate_layer(*layer, thrift);
+    std::size_t curves = 0;
+    for (const auto& loop : input.loops) curves += loop.size();
+    if (mesh.triangles.size() <= std::max(kManyTriangles, kManyPerCurve * curves))
+      return Straight{std::move(*layer), std::move(mesh)};
+    many = fmt::format("{} triangles for {} curves", mesh.triangles.size(), curves);
+  }
+  report = {};
+  report.notes.push_back("slender triangles (else " + many + ")");
+  return std::nullopt;
+}
+
+Straight strict_straight(const MeshInput& input, double mips_bound, MeshReport& report) {
+  const meshing::Thrift thrift = meshing::strict_thrift();
+  auto layer = meshing::build_warp_layer(input, mips_bound, thrift, SIZE_MAX, report);
+  StraightMesh mesh = meshing::triangulate_layer(*layer, thrift);
+  return {std::move(*layer), std::move(mesh)};
+}
 
 double largest_bound(const CurvedMesh& mesh) {
   double bound = 0;
@@ -197,17 +233,9 @@ double largest_bound(const CurvedMesh& mesh) {
 CurvedMesh initial_mesh(const MeshInput& input, const MeshOptions& options, MeshReport& report) {
   report = {};
   if (input.loops.empty() || input.degree < 1) throw std::invalid_argument("nothing to mesh");
-  meshing::Thrift thrift = meshing::usual_thrift();
-  auto layer = meshing::build_warp_layer(input, options.mips_bound, thrift, kManySegments, report);
-  if (!layer) {
-    report = {};
-    report.notes.push_back(
-        fmt::format("more than {} warp triangles: flatter ones were allowed, angles were not asked for",
-                    kManySegments));
-    thrift = meshing::strict_thrift();
-    layer = meshing::build_warp_layer(input, options.mips_bound, thrift, SIZE_MAX, report);
-  }
-  CurvedMesh mesh = Assembler(input, *layer, meshing::triangulate_layer(*layer, thrift)).assemble();
+  auto straight = usual_straight(input, options.mips_bound, report);
+  if (!straight) straight = strict_straight(input, options.mips_bound, report);
+  CurvedMesh mesh = Assembler(input, straight->layer, straight->mesh).assemble();
   guard_boundary(mesh);
   report.mips_bound = largest_bound(mesh);
   return mesh;

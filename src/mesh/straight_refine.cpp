@@ -17,7 +17,9 @@
 namespace c1mesh::meshing {
 namespace {
 
-constexpr double kClear = 0.5;        // a new vertex keeps this part of the local size from others
+constexpr double kClear = 0.5;  // a new vertex keeps this part of the local size from others
+constexpr double kSlender =
+    0.125;  // least distance that counts, in edges: thin strips cost too much
 constexpr double kEncroached = -0.5;  // cosine of 120 degrees
 
 double cosine_at(const Point& corner, const Point& a, const Point& b) {
@@ -94,16 +96,19 @@ class Refiner {
   }
 
   // Small angles that no refinement can mend: between two constraints, or across such an angle,
-  // where splitting one constraint makes the other bad, and so on into the corner.
+  // where splitting one constraint makes the other bad, and so on into the corner. Not so between
+  // two given vertices, as the apexes of neighbouring warp triangles are: nothing was split there.
   bool is_given(Face f, int k) const {
     if (f->is_constrained(ccw(k)) && f->is_constrained(cw(k))) return true;
     const Vertex a = f->vertex(ccw(k)), b = f->vertex(cw(k));
-    if (share_line(a, b)) return false;
+    if (share_line(a, b) || (is_input(a) && is_input(b))) return false;
     for (int first : a->info().lines)
       for (int second : b->info().lines)
         if (meet_sharply(first, second)) return true;
     return false;
   }
+
+  static bool is_input(Vertex v) { return v->info().number >= 0; }
 
   bool meet_sharply(int first, int second) const {
     for (int i : {0, 1})
@@ -226,6 +231,31 @@ class Refiner {
       const double length = (point_of(a) - point_of(b)).norm();
       for (Vertex v : {a, b}) v->info().size = std::min(v->info().size, length);
     }
+    // So is a constraint that passes by, as across a strip narrower than its shortest edge.
+    std::vector<std::pair<Vertex, double>> passed;
+    for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end(); ++f)
+      for (int k = 0; k < 3; ++k)
+        if (f->info().in_domain && f->is_constrained(k) && warp_of(f, segments_) < 0)
+          if (const auto height = height_over(f, k)) passed.emplace_back(f->vertex(k), *height);
+    for (const auto& [v, height] : passed) {
+      double& size = v->info().size;
+      size = std::min(size, std::max(height, kSlender * size));
+    }
+  }
+
+  // The distance of corner k from the opposite edge, if its foot lies there. None between
+  // neighbours (lines that meet at one of the edge's ends): they are as near as their angle has it.
+  std::optional<double> height_over(Face f, int k) const {
+    const Vertex v = f->vertex(k);
+    const Point a = point_of(f->vertex(ccw(k))), e = point_of(f->vertex(cw(k))) - a;
+    const Point d = point_of(v) - a;
+    const double along = d.dot(e) / e.squaredNorm();
+    if (along <= 0 || along >= 1) return std::nullopt;
+    for (int line : v->info().lines)
+      for (const Vertex end : {f->vertex(ccw(k)), f->vertex(cw(k))})
+        if (std::count(end->info().lines.begin(), end->info().lines.end(), line))
+          return std::nullopt;
+    return cross(e, d) / e.norm();
   }
 
   // Would a point in the face keep its distance? Sizes are inherited from the edge that is mended,

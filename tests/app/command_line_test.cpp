@@ -61,7 +61,9 @@ INSTANTIATE_TEST_SUITE_P(
                     "run a.json -o out --time-limit -3", "run a.json -o out --corner-angle 181",
                     "run a.json -o out --no-such-option", "check", "verify", "draw a.json",
                     "convert a.json", "generate -o out", "generate --set D -o out",
-                    "generate --set A --count -1 -o out", "generate --set A --seed x -o out"));
+                    "generate --set A --count -1 -o out", "generate --set A --seed x -o out",
+                    "generate --family cube -o out", "generate --set A --family comb -o out",
+                    "generate --family degrees --formats json,svg -o out"));
 
 TEST(CommandLine, MissingFilesAreStatusThree) {
   const Folder folder;
@@ -157,6 +159,23 @@ TEST(CommandLine, GenerateAndTheLibraryAgree) {
   const Folder folder;
   ASSERT_EQ(folder.run("generate --set C --count 2 --seed 7 -o out").status, 0);
   EXPECT_EQ(folder.read("out/C-0002.json"), drawing_json(generate('C', 2, 7).back()));
+}
+
+TEST(CommandLine, GenerateWritesFamilies) {
+  const Folder folder;
+  ASSERT_EQ(
+      folder.run("generate --family maze --count 3 --seed 5 -o one --formats json,svg").status, 0);
+  const auto files = folder.files("one");
+  ASSERT_EQ(files.size(), 6u);
+  EXPECT_EQ(files.front(), "maze-0001.json");
+  EXPECT_EQ(folder.read("one/maze-0003.json"),
+            drawing_json(generate_family("maze", 3, 5).back().drawing));
+  EXPECT_EQ(folder.run("check one/maze-0003.json one/maze-0003.svg").status, 0);
+  // Every family's parameter is in the help, and with --verbose each shape's.
+  const std::string help = folder.run("generate --help").out;
+  for (const Family& family : families()) EXPECT_TRUE(contains(help, family.parameter));
+  EXPECT_TRUE(contains(folder.run("-v generate --family spike --count 2 -o two").err,
+                       "spike-0001: 60\nspike-0002: 1\n"));
 }
 
 TEST(CommandLine, AnUnwritableFolderIsStatusOne) {

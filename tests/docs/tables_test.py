@@ -69,6 +69,26 @@ class Tables(unittest.TestCase):
         self.assertIn("generate --set B --count 1 --seed 1", done.stdout)
         self.assertIn("| inputs | 1 | 1 | 1 |", done.stdout)
 
+    def test_families(self):
+        self.battery("out", {"comb-0001": "0", "comb-0002": "3", "bad-comb-0001": "",
+                             "maze-0001": "1"})
+        done = self.table("families", str(self.root / "out"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = {line.split(" | ")[0]: line.split(" | ")[1:-2] for line in done.stdout.split("\n")}
+        self.assertEqual(rows["| comb"], ["2", "2", "0", "-", "1.5", "3", "10", "13", "2.0e-15",
+                                          "0.0e+00"])
+        self.assertEqual(rows["| bad-comb"], ["1", "0", "0", "1 of status 3"] + ["-"] * 6)
+        self.assertEqual(rows["| maze"][:5], ["1", "1", "0", "-", "1.0"])
+        self.assertIn("## What is not of status 0", done.stdout)
+        self.assertIn("for f in bad-comb comb maze; do", done.stdout)
+        self.assertIn("--family $f --count 2 --seed 1", done.stdout)
+        self.assertIn("\ndocs/battery.sh build", done.stdout)
+        machine = self.root / "out" / "machine.txt"
+        machine.write_text(machine.read_text(encoding="utf-8").replace(
+            "--formats json ", "--formats json --time-limit 60"), encoding="utf-8")
+        self.assertIn('\nRUN_OPTIONS="--time-limit 60" docs/battery.sh build',
+                      self.table("families", str(self.root / "out")).stdout)
+
     def test_a_run_that_did_not_end_is_refused(self):
         self.battery("out", {"one": "0"})
         (self.root / "out" / "two.log").write_text("still at it\n", encoding="utf-8")

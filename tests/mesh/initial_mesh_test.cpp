@@ -62,12 +62,13 @@ void expect_guarded(const CurvedMesh& mesh) {
     EXPECT_TRUE(!topology.on_boundary[v] || topology.vertex_triangles[v].size() >= 2) << v;
 }
 
-CurvedMesh expect_sound(const MeshInput& input, double bound = 10) {
+CurvedMesh expect_sound(const MeshInput& input, double bound = 10, bool slender = false) {
   MeshReport report;
   const CurvedMesh mesh = initial_mesh(input, {bound}, report);
   EXPECT_EQ(joined(check_mesh(mesh)), "");
   EXPECT_LE(report.mips_bound, bound);
-  EXPECT_TRUE(report.notes.empty()) << joined(report.notes);
+  EXPECT_EQ(report.notes.size(), slender ? 1u : 0u) << joined(report.notes);
+  if (slender) EXPECT_EQ(joined(report.notes).rfind("slender triangles (else ", 0), 0u);
   double largest = 0, area = 0;
   for (int t = 0; t < mesh.triangle_count(); ++t)
     largest = std::max(largest, triangle_bound(mesh, t));
@@ -105,8 +106,49 @@ TEST(InitialMesh, Annulus) {
   expect_sound(input_of({circle({0.5, 0.5}, 0.5), backwards(circle({0.5, 0.5}, 0.2))}));
 }
 
+MeshInput annulus(double width) {
+  return input_of({circle({0.5, 0.5}, 0.5), backwards(circle({0.5, 0.5}, 0.5 - width))});
+}
+
+double least_angle(const CurvedMesh& mesh) {
+  double least = 180;
+  for (const auto& corners : mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const Point a = mesh.domain[corners[k]], u = mesh.domain[corners[(k + 1) % 3]] - a,
+                  v = mesh.domain[corners[(k + 2) % 3]] - a;
+      least = std::min(least, std::atan2(cross(u, v), u.dot(v)) * 180 / M_PI);
+    }
+  return least;
+}
+
+// Well-shaped triangles across a ring number in proportion to length over width. Beyond some
+// hundreds, slender ones are taken: their number grows with the logarithm.
 TEST(InitialMesh, ThinAnnulus) {
-  expect_sound(input_of({circle({0.5, 0.5}, 0.5), backwards(circle({0.5, 0.5}, 0.49))}));
+  const CurvedMesh broad = expect_sound(annulus(0.05));
+  EXPECT_GT(least_angle(broad), 11.5);
+  const CurvedMesh thin = expect_sound(annulus(0.01), 10, true);
+  EXPECT_LT(thin.triangle_count(), 600);
+  const CurvedMesh thinner = expect_sound(annulus(0.001), 10, true);
+  EXPECT_LT(thinner.triangle_count(), 2000);
+}
+
+// The apexes of neighbouring warp triangles are the ends of short edges whose far corner is the
+// middle of the shape: a fan that is refined like anything else.
+TEST(InitialMesh, ManyShortCurvesMakeNoFan) {
+  for (const int count : {30, 60, 120})
+    EXPECT_GT(least_angle(expect_sound(input_of({blob(count, 0.1, 5)}))), 11.5) << count;
+}
+
+// A comb whose back is far narrower than any of its edges is long.
+TEST(InitialMesh, NarrowStripsHaveSoundTriangles) {
+  std::vector<Point> points = {{0, 0}, {1, 0}};
+  for (int tooth = 5; tooth >= 0; --tooth) {
+    const double right = (2 * tooth + 1) / 11.0, left = 2 * tooth / 11.0;
+    if (tooth < 5) points.push_back({right, 0.02});
+    points.insert(points.end(), {Point(right, 0.2), Point(left, 0.2)});
+    if (tooth > 0) points.push_back({left, 0.02});
+  }
+  EXPECT_GT(least_angle(expect_sound(input_of({polygon(points)}))), 14.5);
 }
 
 TEST(InitialMesh, LoopOfOneCurve) {
