@@ -20,11 +20,15 @@ void keep_only(Arrangement& arrangement, const std::vector<char>& keep) {
     if (kept != i) {
       arrangement.curves[kept] = std::move(arrangement.curves[i]);
       arrangement.ids[kept] = std::move(arrangement.ids[i]);
+      arrangement.feature[kept] = arrangement.feature[i];
+      arrangement.copies[kept] = std::move(arrangement.copies[i]);
     }
     ++kept;
   }
   arrangement.curves.resize(kept);
   arrangement.ids.resize(kept);
+  arrangement.feature.resize(kept);
+  arrangement.copies.resize(kept);
 }
 
 // Straight, never turning back, but at rest at an end.
@@ -96,9 +100,10 @@ void remove_duplicates(Arrangement& arrangement) {
     keep[now] = 0;
   }
   for (int i = 0; i < arrangement.size(); ++i)
-    if (!keep[i])
-      arrangement.report(DefectKind::duplicate, {original[i], i}, {arrangement.curves[i].start()},
-                         "a curve is given twice", "remove one of the two");
+    if (!keep[i]) {
+      arrangement.copies[original[i]].push_back(arrangement.ids[i]);
+      if (arrangement.feature[i]) arrangement.feature[original[i]] = kMarked;
+    }
   keep_only(arrangement, keep);
 }
 

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
+
+#include "domain/cycles.h"
 
 namespace c1mesh {
 namespace {
@@ -15,15 +19,15 @@ struct LoopProfile {
   std::vector<double> bend;  // turning towards the wanted side within a window
 };
 
-LoopProfile profile_of(const CurvedMesh& mesh, const std::vector<Joint>& joints, double side,
+LoopProfile profile_of(const CurvedMesh& mesh, const std::vector<int>& vertices, double side,
                        double window_share) {
   LoopProfile out;
-  const int m = static_cast<int>(joints.size());
+  const int m = static_cast<int>(vertices.size());
   std::vector<double> turn(m);
   for (int k = 0; k < m; ++k) {
-    const Point& p = mesh.control[joints[k].vertex];
-    const Point ahead = mesh.control[joints[(k + 1) % m].vertex] - p;
-    const Point behind = p - mesh.control[joints[(k + m - 1) % m].vertex];
+    const Point& p = mesh.control[vertices[k]];
+    const Point ahead = mesh.control[vertices[(k + 1) % m]] - p;
+    const Point behind = p - mesh.control[vertices[(k + m - 1) % m]];
     out.at.push_back(out.length);
     out.length += ahead.norm();
     turn[k] = side * std::atan2(cross(behind, ahead), behind.dot(ahead));
@@ -49,7 +53,8 @@ double distance(const LoopProfile& profile, int a, int b) {
 
 bool is_wanted_corner(const Joint& joint, Role role) {
   if (role == Role::exceptional) return true;
-  if (role == Role::released)
+  if (role == Role::branch && joint.kind != JointKind::corner) return true;
+  if (role == Role::released || role == Role::branch)
     return joint.kind == JointKind::corner && joint.convex() == (joint.loop == 0);
   return role == Role::anchor && joint.kind == JointKind::corner &&
          joint.convex() == (joint.loop == 0);
@@ -66,16 +71,21 @@ std::vector<int> taken_places(const std::vector<Joint>& joints, const std::vecto
   return out;
 }
 
-void place_by_curvature(const LoopProfile& profile, const std::vector<Joint>& joints, int missing,
-                        std::vector<Role>& roles) {
-  const int m = static_cast<int>(joints.size());
-  const std::vector<int> reflex = taken_places(joints, roles, false);
+bool is_free(Role role) {
+  return role == Role::flat || role == Role::bent;
+}
+
+// Positions of `missing` more chain ends among the `free` ones. `taken`, increasing: chain ends of
+// the wanted kind already there; `reflex`: those to stay away from.
+std::vector<int> choose_by_curvature(const LoopProfile& profile, std::vector<char> free,
+                                     std::vector<int> taken, const std::vector<int>& reflex,
+                                     int missing) {
+  std::vector<int> chosen;
   for (; missing > 0; --missing) {
-    const std::vector<int> taken = taken_places(joints, roles, true);
     int best = -1;
     double best_score = -1e300;
-    for (int k = 0; k < m; ++k) {
-      if (roles[k] != Role::flat && roles[k] != Role::bent) continue;
+    for (int k = 0; k < static_cast<int>(free.size()); ++k) {
+      if (!free[k]) continue;
       double score = profile.bend[k];
       // Spacing: chain ends closer than a sixth of the loop cost a full turn, falling linearly.
       for (int other : taken)
@@ -87,14 +97,17 @@ void place_by_curvature(const LoopProfile& profile, const std::vector<Joint>& jo
         best = k;
       }
     }
-    if (best < 0) return;
-    roles[best] = Role::exceptional;
+    if (best < 0) break;
+    free[best] = 0;
+    taken.insert(std::upper_bound(taken.begin(), taken.end(), best), best);
+    chosen.push_back(best);
   }
+  return chosen;
 }
 
-void place_evenly(const LoopProfile& profile, const std::vector<Joint>& joints, int missing,
-                  double offset, std::vector<Role>& roles) {
-  const int m = static_cast<int>(joints.size());
+std::vector<int> choose_evenly(const LoopProfile& profile, std::vector<char> free, int missing,
+                               double offset) {
+  std::vector<int> chosen;
   const int start = static_cast<int>(std::max_element(profile.bend.begin(), profile.bend.end()) -
                                      profile.bend.begin());
   for (int c = 0; c < missing; ++c) {
@@ -102,8 +115,8 @@ void place_evenly(const LoopProfile& profile, const std::vector<Joint>& joints, 
         std::fmod(profile.at[start] + (c + offset) * profile.length / missing, profile.length);
     int best = -1;
     double best_distance = 1e300;
-    for (int k = 0; k < m; ++k) {
-      if (roles[k] != Role::flat && roles[k] != Role::bent) continue;
+    for (int k = 0; k < static_cast<int>(free.size()); ++k) {
+      if (!free[k]) continue;
       double d = std::abs(profile.at[k] - goal);
       d = std::min(d, profile.length - d);
       if (d < best_distance) {
@@ -111,7 +124,82 @@ void place_evenly(const LoopProfile& profile, const std::vector<Joint>& joints, 
         best = k;
       }
     }
-    if (best >= 0) roles[best] = Role::exceptional;
+    if (best < 0) break;
+    free[best] = 0;
+    chosen.push_back(best);
+  }
+  return chosen;
+}
+
+// `side`: +1 where corners to the left are missing, -1 to the right.
+std::vector<int> choose(const CurvedMesh& mesh, const std::vector<int>& vertices, double side,
+                        const std::vector<char>& free, const std::vector<int>& taken,
+                        const std::vector<int>& reflex, int missing, Placement placement) {
+  const LoopProfile profile =
+      profile_of(mesh, vertices, side, placement == Placement::tips ? 0.02 : 1.0 / 12);
+  if (placement == Placement::curvature || placement == Placement::tips)
+    return choose_by_curvature(profile, free, taken, reflex, missing);
+  return choose_evenly(profile, free, missing, placement == Placement::spread ? 0.0 : 0.5);
+}
+
+// Turns of the polygon's corners along a cycle (see face_cycles). The corners placed on features
+// turn as the cycle for which they were placed wanted: (path, position) -> +1 left, -1 right.
+class CycleCorners {
+ public:
+  explicit CycleCorners(const Joints& joints) : joints_(joints) {}
+
+  static int side(const Cycle& cycle) { return cycle.inside ? 1 : -1; }
+  const Joint& joint(const CycleStop& stop) const { return joints_[stop.path][stop.position]; }
+
+  // +1: a corner of the kind that the cycle needs; -1: of the other kind; 0: none.
+  int kind(const Cycle& cycle, const CycleStop& stop, const Roles& roles) const {
+    const Joint& at = joint(stop);
+    if (at.branch) return 1;
+    const Role role = roles[stop.path][stop.position];
+    int turn = 0;
+    if (role == Role::exceptional)
+      turn = at.feature ? placed_.at({stop.path, stop.position}) : at.loop == 0 ? 1 : -1;
+    else if (ends_chain(role) && at.kind == JointKind::corner)
+      turn = at.convex() ? 1 : -1;
+    return turn * (stop.forward ? 1 : -1) * side(cycle);
+  }
+
+  // A loop's vertices turn to the side that their own polygon needs.
+  bool may_take(const Cycle& cycle, const CycleStop& stop, const Roles& roles) const {
+    const Joint& at = joint(stop);
+    return is_free(roles[stop.path][stop.position]) &&
+           (at.feature || cycle.inside == (at.loop == 0));
+  }
+
+  void place(const Cycle& cycle, const CycleStop& stop, Roles& roles) {
+    roles[stop.path][stop.position] = Role::exceptional;
+    placed_[{stop.path, stop.position}] = (stop.forward ? 1 : -1) * side(cycle);
+  }
+
+ private:
+  const Joints& joints_;
+  std::map<std::pair<int, int>, int> placed_;
+};
+
+void place_on_cycles(const CurvedMesh& mesh, const Joints& joints, Placement placement,
+                     Roles& roles) {
+  CycleCorners corners(joints);
+  for (const Cycle& cycle : face_cycles(mesh)) {
+    std::vector<int> vertices, taken, reflex;
+    std::vector<char> free;
+    for (std::size_t k = 0; k < cycle.stops.size(); ++k) {
+      const CycleStop& stop = cycle.stops[k];
+      vertices.push_back(stop.vertex);
+      free.push_back(corners.may_take(cycle, stop, roles));
+      const int kind = corners.kind(cycle, stop, roles);
+      if (kind > 0) taken.push_back(static_cast<int>(k));
+      if (kind < 0) reflex.push_back(static_cast<int>(k));
+    }
+    const int missing = 3 - static_cast<int>(taken.size());
+    if (missing <= 0) continue;
+    for (const int k :
+         choose(mesh, vertices, CycleCorners::side(cycle), free, taken, reflex, missing, placement))
+      corners.place(cycle, cycle.stops[k], roles);
   }
 }
 
@@ -129,16 +217,21 @@ int missing_corners(const Joints& joints, const Roles& roles, int loop) {
 Roles place_exceptional(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                         Placement placement) {
   Roles out = roles;
-  for (std::size_t l = 0; l < joints.size(); ++l) {
+  for (std::size_t l = 0; l < mesh.loops.size(); ++l) {
     const int missing = missing_corners(joints, roles, static_cast<int>(l));
     if (missing == 0) continue;
-    const LoopProfile profile = profile_of(mesh, joints[l], l == 0 ? 1.0 : -1.0,
-                                           placement == Placement::tips ? 0.02 : 1.0 / 12);
-    if (placement == Placement::curvature || placement == Placement::tips)
-      place_by_curvature(profile, joints[l], missing, out[l]);
-    else
-      place_evenly(profile, joints[l], missing, placement == Placement::spread ? 0.0 : 0.5, out[l]);
+    std::vector<int> vertices;
+    std::vector<char> free;
+    for (std::size_t k = 0; k < joints[l].size(); ++k) {
+      vertices.push_back(joints[l][k].vertex);
+      free.push_back(is_free(roles[l][k]));
+    }
+    for (const int k :
+         choose(mesh, vertices, l == 0 ? 1.0 : -1.0, free, taken_places(joints[l], roles[l], true),
+                taken_places(joints[l], roles[l], false), missing, placement))
+      out[l][k] = Role::exceptional;
   }
+  if (!mesh.features.empty()) place_on_cycles(mesh, joints, placement, out);
   return out;
 }
 
@@ -149,13 +242,47 @@ int count_exceptional(const Roles& roles) {
   return count;
 }
 
-int minimum_exceptional(const Joints& joints) {
-  int count = 0;
-  for (std::size_t l = 0; l < joints.size(); ++l) {
-    int corners = 0;
-    for (const Joint& joint : joints[l])
-      if (joint.kind == JointKind::corner && joint.convex() == (l == 0)) ++corners;
-    count += std::max(0, 3 - corners);
+int minimum_exceptional(const CurvedMesh& mesh, const Joints& joints) {
+  // What a polygon lacks at least, and where it runs.
+  struct Demand {
+    int missing;
+    std::set<int> vertices;
+  };
+  std::set<int> branches;
+  for (const auto& path : joints)
+    for (const Joint& joint : path)
+      if (joint.branch) branches.insert(joint.vertex);
+  // Vertices that serve one of these do not serve another.
+  std::vector<Demand> apart;
+  std::vector<Demand> rims;
+  for (std::size_t l = 0; l < mesh.loops.size(); ++l) {
+    Demand demand{3, {}};
+    for (const Joint& joint : joints[l]) {
+      demand.vertices.insert(joint.vertex);
+      if (joint.branch || (joint.kind == JointKind::corner && joint.convex() == (l == 0)))
+        --demand.missing;
+    }
+    (l == 0 ? rims : apart).push_back(demand);
+  }
+  const CycleCorners corners(joints);
+  const Roles roles = natural_roles(joints);
+  for (const Cycle& cycle : face_cycles(mesh)) {
+    Demand demand{3, {}};
+    for (const CycleStop& stop : cycle.stops) {
+      demand.vertices.insert(stop.vertex);
+      if (corners.kind(cycle, stop, roles) > 0) --demand.missing;
+    }
+    (cycle.inside ? apart : rims).push_back(demand);
+  }
+  int count = static_cast<int>(branches.size());
+  for (const Demand& demand : apart) count += std::max(0, demand.missing);
+  for (const Demand& rim : rims) {
+    int served = 0;
+    for (const Demand& demand : apart)
+      if (std::any_of(demand.vertices.begin(), demand.vertices.end(),
+                      [&](int v) { return rim.vertices.count(v) > 0; }))
+        served += std::max(0, demand.missing);
+    count += std::max(0, rim.missing - served);
   }
   return count;
 }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <stdexcept>
+#include <tuple>
 
 #include "bernstein/curve.h"
 #include "mesh/guard.h"
@@ -27,9 +28,9 @@ using meshing::WarpSegment;
 // piece of its map, edge control points are made once per edge.
 class Assembler {
  public:
-  Assembler(const MeshInput& input, const std::vector<std::vector<WarpSegment>>& layer,
-            const StraightMesh& straight)
-      : input_(input), layer_(layer), straight_(straight) {
+  Assembler(const MeshInput& input, const meshing::Walks& walks,
+            const std::vector<std::vector<WarpSegment>>& layer, const StraightMesh& straight)
+      : input_(input), walks_(walks), straight_(straight) {
     for (const auto& loop : layer)
       for (const WarpSegment& s : loop) segments_.push_back(&s);
   }
@@ -40,7 +41,7 @@ class Assembler {
     mesh_.triangles = straight_.triangles;
     mesh_.warped.assign(mesh_.triangles.size(), 0);
     mesh_.nets.assign(mesh_.triangles.size() * mesh_.net_size(), -1);
-    make_boundary();
+    make_curve_edges();
     map_vertices();
     // Unwarped triangles first: along inner edges both maps are linear, and theirs without
     // rounding.
@@ -51,22 +52,29 @@ class Assembler {
   }
 
  private:
-  // Boundary edges hold the curve's own control points, exact and rounded once.
-  void make_boundary() {
-    int flat = 0;
-    for (const auto& loop : layer_) {
-      auto& edges = mesh_.loops.emplace_back();
-      for (const WarpSegment& s : loop) {
-        const auto& chord = straight_.chords[flat++];
-        for (std::size_t k = 0; k + 1 < chord.size(); ++k)
-          edges.push_back(make_boundary_edge(s, chord[k], chord[k + 1]));
-      }
+  // Edges on curves hold the curve's own control points, exact and rounded once. Loops and features
+  // are put together from the walks' pieces: (path, position, s0) is the order along a path.
+  void make_curve_edges() {
+    std::map<std::tuple<bool, int, int, double>, int> pieces;
+    for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
+      const meshing::WalkStep& step = walks_[segments_[i]->loop][segments_[i]->source];
+      if (step.forward) pieces[{step.feature, step.path, step.position, segments_[i]->s0}] = i;
+    }
+    mesh_.loops.resize(input_.loops.size());
+    for (const FeatureInput& feature : input_.features)
+      mesh_.features.push_back({{}, feature.closed});
+    for (const auto& [key, i] : pieces) {
+      const auto& [feature, path, position, s0] = key;
+      auto& edges = feature ? mesh_.features[path].edges : mesh_.loops[path];
+      const auto& chord = straight_.chords[i];
+      for (std::size_t k = 0; k + 1 < chord.size(); ++k)
+        edges.push_back(make_curve_edge(*segments_[i], chord[k], chord[k + 1]));
     }
   }
 
-  BoundaryEdge make_boundary_edge(const WarpSegment& s, const ChordVertex& from,
-                                  const ChordVertex& to) {
-    const LoopCurve& source = input_.loops[s.loop][s.source];
+  BoundaryEdge make_curve_edge(const WarpSegment& s, const ChordVertex& from,
+                               const ChordVertex& to) {
+    const LoopCurve& source = walks_[s.loop][s.source].curve;
     const double s0 = s.s0 + (s.s1 - s.s0) * from.s, s1 = s.s0 + (s.s1 - s.s0) * to.s;
     const BezierCurve piece =
         from.s == 0 && to.s == 1 ? s.curve : restrict_exactly(source.bezier, s0, s1, input_.degree);
@@ -177,7 +185,7 @@ class Assembler {
   }
 
   const MeshInput& input_;
-  const std::vector<std::vector<WarpSegment>>& layer_;
+  const meshing::Walks& walks_;
   const StraightMesh& straight_;
   std::vector<const WarpSegment*> segments_;
   std::map<std::array<int, 2>, std::vector<int>> edges_;  // from the smaller to the larger vertex
@@ -198,16 +206,20 @@ CurvedMesh initial_mesh(const MeshInput& input, const MeshOptions& options, Mesh
   report = {};
   if (input.loops.empty() || input.degree < 1) throw std::invalid_argument("nothing to mesh");
   meshing::Thrift thrift = meshing::usual_thrift();
-  auto layer = meshing::build_warp_layer(input, options.mips_bound, thrift, kManySegments, report);
+  const meshing::Walks walks = meshing::walks_of(input);
+  auto layer = meshing::build_warp_layer(walks, input.degree, options.mips_bound, thrift,
+                                         kManySegments, report);
   if (!layer) {
     report = {};
-    report.notes.push_back(
-        fmt::format("more than {} warp triangles: flatter ones were allowed, angles were not asked for",
-                    kManySegments));
+    report.notes.push_back(fmt::format(
+        "more than {} warp triangles: flatter ones were allowed, angles were not asked for",
+        kManySegments));
     thrift = meshing::strict_thrift();
-    layer = meshing::build_warp_layer(input, options.mips_bound, thrift, SIZE_MAX, report);
+    layer = meshing::build_warp_layer(walks, input.degree, options.mips_bound, thrift, SIZE_MAX,
+                                      report);
   }
-  CurvedMesh mesh = Assembler(input, *layer, meshing::triangulate_layer(*layer, thrift)).assemble();
+  CurvedMesh mesh =
+      Assembler(input, walks, *layer, meshing::triangulate_layer(*layer, thrift)).assemble();
   guard_boundary(mesh);
   report.mips_bound = largest_bound(mesh);
   return mesh;

@@ -18,8 +18,8 @@ int demote_near(const CurvedMesh& mesh, const Joints& joints, const std::vector<
 /// Carries roles to a refined mesh: by vertex id, new vertices flat.
 Roles roles_on(const Joints& from, const Roles& roles, const Joints& to);
 
-/// Refines the mesh towards every corner that keeps C1: halves each edge of its fan, boundary edges
-/// too, `levels` times. The corner's forced gradient then rules a smaller place.
+/// Refines the mesh towards every corner that keeps C1: halves each edge of its fan, those on
+/// curves too, `levels` times. The corner's forced gradient then rules a smaller place.
 void grade_corners(CurvedMesh& mesh, const Joints& joints, const Roles& roles, int levels);
 
 bool has_c1_corner(const Joints& joints, const Roles& roles);
