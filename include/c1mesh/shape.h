@@ -30,7 +30,7 @@ struct Drawing {
 };
 
 struct ReadOptions {
-  bool together = false;  ///< SVG: the whole drawing as one arrangement
+  bool together = false;  ///< SVG: the whole drawing as one arrangement, unfilled lines as features
   std::size_t max_bytes = 200'000'000;
   std::size_t max_curves = 1'000'000;
   int max_depth = 256;  ///< nesting of elements or arrays

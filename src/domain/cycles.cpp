@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "domain/cycles.h"
 
-#include <algorithm>
 #include <array>
 #include <map>
 
@@ -26,10 +25,12 @@ class Faces {
     std::map<Directed, bool> walked;
     for (const Directed& first : order_) {
       std::vector<Directed> open;  // the walk since it was last at each of these vertices
+      std::map<int, int> place;    // of each vertex in it
       for (Directed at = first; !walked[at]; at = next(at)) {
         walked[at] = true;
+        place[at[0]] = static_cast<int>(open.size());
         open.push_back(at);
-        cut_back(open);
+        cut_back(open, place);
       }
     }
     return std::move(cycles_);
@@ -58,12 +59,12 @@ class Faces {
   }
 
   // If the walk is back at a vertex, what came since is a cycle, or one edge to and fro.
-  void cut_back(std::vector<Directed>& open) {
-    const int head = open.back()[1];
-    const auto from = std::find_if(open.begin(), open.end(),
-                                   [&](const Directed& edge) { return edge[0] == head; });
-    if (from == open.end()) return;
+  void cut_back(std::vector<Directed>& open, std::map<int, int>& place) {
+    const auto back = place.find(open.back()[1]);
+    if (back == place.end()) return;
+    const auto from = open.begin() + back->second;
     if (open.end() - from > 2) add_cycle({from, open.end()});
+    for (auto edge = from; edge != open.end(); ++edge) place.erase((*edge)[0]);
     open.erase(from, open.end());
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include "domain/cycles.h"
@@ -181,27 +182,72 @@ class CycleCorners {
   std::map<std::pair<int, int>, int> placed_;
 };
 
-void place_on_cycles(const CurvedMesh& mesh, const Joints& joints, Placement placement,
-                     Roles& roles) {
-  CycleCorners corners(joints);
-  for (const Cycle& cycle : face_cycles(mesh)) {
-    std::vector<int> vertices, taken, reflex;
-    std::vector<char> free;
-    for (std::size_t k = 0; k < cycle.stops.size(); ++k) {
-      const CycleStop& stop = cycle.stops[k];
-      vertices.push_back(stop.vertex);
-      free.push_back(corners.may_take(cycle, stop, roles));
-      const int kind = corners.kind(cycle, stop, roles);
-      if (kind > 0) taken.push_back(static_cast<int>(k));
-      if (kind < 0) reflex.push_back(static_cast<int>(k));
-    }
-    const int missing = 3 - static_cast<int>(taken.size());
-    if (missing <= 0) continue;
-    for (const int k :
-         choose(mesh, vertices, CycleCorners::side(cycle), free, taken, reflex, missing, placement))
-      corners.place(cycle, cycle.stops[k], roles);
+// Places what the polygons of faces lack. A place on a loop or outer side of features that lacks
+// corners too serves both.
+class CyclePlacer {
+ public:
+  CyclePlacer(const CurvedMesh& mesh, const Joints& joints, Placement placement)
+      : mesh_(mesh),
+        joints_(joints),
+        placement_(placement),
+        cycles_(face_cycles(mesh)),
+        corners_(joints) {}
+
+  void place_inside(Roles& roles) {
+    for (const Cycle& cycle : cycles_)
+      if (cycle.inside) place(cycle, roles);
   }
-}
+
+  void place_all(Roles& roles) {
+    for (const Cycle& cycle : cycles_) place(cycle, roles);
+  }
+
+ private:
+  int missing(const Cycle& cycle, const Roles& roles) const {
+    int have = 0;
+    for (const CycleStop& stop : cycle.stops) have += corners_.kind(cycle, stop, roles) > 0;
+    return 3 - have;
+  }
+
+  std::set<int> on_lacking_rims(const Roles& roles) const {
+    std::set<int> out;
+    if (missing_corners(joints_, roles, 0) > 0)
+      for (const Joint& joint : joints_[0]) out.insert(joint.vertex);
+    for (const Cycle& cycle : cycles_)
+      if (!cycle.inside && missing(cycle, roles) > 0)
+        for (const CycleStop& stop : cycle.stops) out.insert(stop.vertex);
+    return out;
+  }
+
+  void place(const Cycle& cycle, Roles& roles) {
+    for (int rest = missing(cycle, roles); rest > 0; rest = missing(cycle, roles)) {
+      const std::set<int> lacking = on_lacking_rims(roles);
+      std::vector<int> vertices, taken, reflex;
+      std::vector<char> free, serving;
+      for (std::size_t k = 0; k < cycle.stops.size(); ++k) {
+        const CycleStop& stop = cycle.stops[k];
+        vertices.push_back(stop.vertex);
+        free.push_back(corners_.may_take(cycle, stop, roles));
+        serving.push_back(free.back() && lacking.count(stop.vertex));
+        const int kind = corners_.kind(cycle, stop, roles);
+        if (kind > 0) taken.push_back(static_cast<int>(k));
+        if (kind < 0) reflex.push_back(static_cast<int>(k));
+      }
+      const bool serves = std::count(serving.begin(), serving.end(), 1) >= rest;
+      const std::vector<int> chosen =
+          choose(mesh_, vertices, CycleCorners::side(cycle), serves ? serving : free, taken, reflex,
+                 rest, placement_);
+      if (chosen.empty()) return;
+      for (const int k : chosen) corners_.place(cycle, cycle.stops[k], roles);
+    }
+  }
+
+  const CurvedMesh& mesh_;
+  const Joints& joints_;
+  Placement placement_;
+  std::vector<Cycle> cycles_;
+  CycleCorners corners_;
+};
 
 }  // namespace
 
@@ -217,21 +263,23 @@ int missing_corners(const Joints& joints, const Roles& roles, int loop) {
 Roles place_exceptional(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                         Placement placement) {
   Roles out = roles;
+  std::optional<CyclePlacer> cycles;
+  if (!mesh.features.empty()) cycles.emplace(mesh, joints, placement).place_inside(out);
   for (std::size_t l = 0; l < mesh.loops.size(); ++l) {
-    const int missing = missing_corners(joints, roles, static_cast<int>(l));
+    const int missing = missing_corners(joints, out, static_cast<int>(l));
     if (missing == 0) continue;
     std::vector<int> vertices;
     std::vector<char> free;
     for (std::size_t k = 0; k < joints[l].size(); ++k) {
       vertices.push_back(joints[l][k].vertex);
-      free.push_back(is_free(roles[l][k]));
+      free.push_back(is_free(out[l][k]));
     }
     for (const int k :
-         choose(mesh, vertices, l == 0 ? 1.0 : -1.0, free, taken_places(joints[l], roles[l], true),
-                taken_places(joints[l], roles[l], false), missing, placement))
+         choose(mesh, vertices, l == 0 ? 1.0 : -1.0, free, taken_places(joints[l], out[l], true),
+                taken_places(joints[l], out[l], false), missing, placement))
       out[l][k] = Role::exceptional;
   }
-  if (!mesh.features.empty()) place_on_cycles(mesh, joints, placement, out);
+  if (cycles) cycles->place_all(out);
   return out;
 }
 
