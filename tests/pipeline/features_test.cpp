@@ -174,6 +174,21 @@ TEST_P(FeatureRuns, AreCertifiedFromTheirFile) {
 INSTANTIATE_TEST_SUITE_P(Kinds, FeatureRuns, testing::ValuesIn(inputs()),
                          [](const auto& test) { return std::string(test.param.name); });
 
+// Two parts, a hole tied to their interface, a ring, a branching line.
+TEST(FeatureRuns, TheExampleNeedsNoMoreThanTheMinimum) {
+  const Shape shape = testing_pipeline::shape_at(C1MESH_EXAMPLES "/interfaces.json");
+  ASSERT_EQ(shape.regions.size(), 1u);
+  EXPECT_EQ(shape.regions[0].holes.size(), 1u);
+  const Outcome outcome = parametrize(shape);
+  expect_valid_and_c1(outcome);
+  EXPECT_TRUE(outcome.within_bounds);
+  // Six branch points, three corners of the ring, two more of the hole; the outer loop's corners
+  // and branch points suffice.
+  EXPECT_EQ(outcome.result.metrics.exceptional_minimum, 6 + 3 + 2);
+  EXPECT_EQ(outcome.result.metrics.surplus, 0);
+  EXPECT_EQ(faces(outcome.result), 3);
+}
+
 // C1 is asked along a feature's sides, not across: the gradient jumps somewhere.
 TEST(FeatureRuns, TheGradientMayJumpAcrossAnInterface) {
   Outcome outcome = parametrize(shape_of(inputs()[6]));
