@@ -17,7 +17,7 @@ namespace {
 // An end is moved only if that is small against its curve.
 constexpr double kLargestGapOfCurve = 0.25;
 constexpr double kParallel = 1e-4;
-constexpr std::size_t kMostPairs = 50'000'000, kMostEnds = 10'000;
+constexpr std::size_t kMostPairs = 50'000'000, kMostEnds = 10'000, kMostTests = 200'000'000;
 
 struct Foot {
   double t = 0, distance = INFINITY;
@@ -62,8 +62,8 @@ class Attacher {
     if (dangling_.size() > kMostEnds) return false;
     bool any = false;
     for (std::size_t k = 0; k < dangling_.size(); ++k)
-      any |= to_node(dangling_[k]) || to_curve(dangling_[k]);
-    return any;
+      any |= to_node(dangling_[k]) || to_end(k) || to_curve(dangling_[k]);
+    return cut_at_nodes() || any;
   }
 
  private:
@@ -74,6 +74,35 @@ class Attacher {
 
   double reach(const CurveEnd& end) const {
     return std::min(radius_, kLargestGapOfCurve * size_of(arrangement_.curves[end.curve]));
+  }
+
+  // Curves are cut where others meet on them, to the resolution: these are not moved.
+  bool cut_at_nodes() {
+    if (nodes_.ends.size() * arrangement_.curves.size() > kMostTests) return false;
+    std::vector<Box> boxes;
+    const double distance = 8 * kResolution * arrangement_.extent;
+    const auto add_box = [&](int i) {
+      boxes.push_back(box_of(arrangement_.curves[i].poles, distance));
+    };
+    for (int i = 0; i < arrangement_.size(); ++i) add_box(i);
+    bool any = false;
+    for (std::size_t k = 0; k < nodes_.ends.size(); ++k) {
+      if (nodes_.ends[k].size() < 2) continue;
+      const Point& p = place_[k];
+      for (int i = 0; i < arrangement_.size(); ++i) {
+        const Box& box = boxes[i];
+        if ((p.array() < box.low.array()).any() || (p.array() > box.high.array()).any()) continue;
+        const Foot foot = nearest(arrangement_.curves[i], p);
+        if (foot.distance > distance || !well_inside(i, foot)) continue;
+        cut_curve(arrangement_, i, foot.t);
+        add_box(arrangement_.size() - 1);
+        arrangement_.curves[i].poles.back() = arrangement_.curves.back().poles.front() = p;
+        arrangement_.mend(DefectKind::note, {i, nodes_.ends[k][0].curve}, {p},
+                          "curves meet on the inside of another, which is cut there");
+        any = true;
+      }
+    }
+    return any;
   }
 
   // A point where other curves meet already.
@@ -89,6 +118,21 @@ class Attacher {
     }
     if (found < 0) return false;
     attach(end, place_[found], nodes_.ends[found][0].curve, false);
+    return true;
+  }
+
+  // Other single ends, of which there are several near: pairs have been closed before.
+  bool to_end(std::size_t k) {
+    const CurveEnd end = dangling_[k];
+    double best = reach(end);
+    CurveEnd found;
+    for (const CurveEnd& other : dangling_) {
+      if (other.curve == end.curve) continue;
+      const double d = (point_of(other) - point_of(end)).norm();
+      if (d <= best) best = d, found = other;
+    }
+    if (found.curve < 0) return false;
+    if (best > 0) attach(end, point_of(found), found.curve, false);
     return true;
   }
 
@@ -114,7 +158,7 @@ class Attacher {
   bool well_inside(int curve, const Foot& foot) const {
     const BezierCurve& c = arrangement_.curves[curve];
     const Point q = evaluate(c, foot.t);
-    const double least = foot.distance <= kResolution * arrangement_.extent
+    const double least = foot.distance <= 8 * kResolution * arrangement_.extent
                              ? 8 * kResolution * arrangement_.extent
                              : radius_;
     return (q - c.start()).norm() > least && (q - c.end()).norm() > least;

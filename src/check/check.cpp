@@ -37,6 +37,8 @@ Checked run_stages(const Drawing& drawing, const CheckOptions& options) {
     return out;
   }
   detail::close_gaps(arrangement, options.gap_tolerance);
+  detail::unite_ends(arrangement);
+  detail::remove_near_copies(arrangement);
   arrangement.frame = detail::frame_of(arrangement.curves, arrangement.extent);
   detail::Nodes nodes = detail::find_nodes(arrangement);
   detail::tell_features(arrangement, nodes);

@@ -23,14 +23,28 @@ void respace_straight(Arrangement& arrangement);
 /// their ids: two sub-shapes may both give the curve they share.
 void remove_duplicates(Arrangement& arrangement);
 
+/// Leaves out the curves that are not to be kept.
+void keep_only(Arrangement& arrangement, const std::vector<char>& keep);
+
+/// Notes a curve that will be left out as a copy of another.
+void add_copy(Arrangement& arrangement, int original, int copy);
+
+/// Ends closer than the resolution become one point, bit for bit.
+void unite_ends(Arrangement& arrangement);
+
+/// As remove_duplicates, for curves between the same points whose poles agree to the resolution,
+/// raised to one degree.
+void remove_near_copies(Arrangement& arrangement);
+
 /// Moves pairs of dangling ends closer than `tolerance` (relative to the extent) together.
 void close_gaps(Arrangement& arrangement, double tolerance);
 
 Nodes find_nodes(const Arrangement& arrangement);
 
 /// Dangling ends of features closer than `tolerance` (relative to the extent) to a point where
-/// curves meet, or to the inside of another curve, are moved there; a curve touched inside is cut
-/// in two. Returns whether there were any. Nothing is done where no curve bounds.
+/// curves meet, to another such end, or to the inside of another curve, are moved there. A curve
+/// touched inside, or on whose inside others meet, is cut in two. Returns whether anything was
+/// done; nothing is where no curve bounds, or all do.
 bool attach_ends(Arrangement& arrangement, const Nodes& nodes, double tolerance);
 
 /// Cuts features that cross each other at the crossing; else as above. No tolerance is needed.

@@ -125,6 +125,26 @@ TEST(Features, ACurveGivenByBothPartsIsOne) {
   EXPECT_EQ(fault_kinds(drawing_of(left + Curves{left[0]})), Kinds{DefectKind::duplicate});
 }
 
+TEST(Features, CopiesMayDifferByRoundingAndDegree) {
+  const double h = 1e-14;
+  const Point a(5, 0), b(5, 10);
+  const Curves left = polygon({{0, 0}, a, b, {0, 10}});
+  Curves right = {{{5 + h, h}, {10, 0}}, {{10, 0}, {10, 10}}, {{10, 10}, {5 - h, 10}}};
+  right.push_back({{5 - h, 10}, {5, 5}, {5 + h, h}});
+  const Shape shape = shape_of(left + right);
+  EXPECT_EQ(shape.curves.size(), 7u);
+  EXPECT_EQ(paths(shape), std::vector<int>{1});
+}
+
+TEST(Features, SeveralEndsThatNearlyMeetAreJoined) {
+  const Curves star = {{{4, 4}, {2, 2}}, {{4.01, 4}, {7, 2}}, {{4, 4.01}, {5, 8}}};
+  const Shape shape = shape_of(square(0, 0, 10) + star);
+  EXPECT_EQ(paths(shape), (std::vector<int>{1, 1, 1}));
+  const Point centre = shape.curves[4].start();
+  EXPECT_EQ(shape.curves[5].start(), centre);
+  EXPECT_EQ(shape.curves[6].start(), centre);
+}
+
 TEST(Features, CurvesTouchedInsideAreCut) {
   // The end lies on the parabola at t = 1/4 exactly, at (2.5, 0) beside the first curve's ends.
   const Curves outline = {{{0, 0}, {5, 0}, {10, 0}}, {{10, 0}, {5, 16}, {0, 0}}};
@@ -139,6 +159,18 @@ TEST(Features, CurvesTouchedInsideAreCut) {
       const Point p = evaluate(shape.curves[part], t);
       EXPECT_LT((p - evaluate(BezierCurve{outline[1]}, low + t * (high - low))).norm(), 1e-14);
     }
+}
+
+TEST(Features, CurvesAreCutWhereOthersMeetOnThem) {
+  // Two features end in one point of a side; two more make a lens between two sides.
+  const Curves fan = {{{4, 0}, {3, 3}}, {{4, 0}, {5, 3}}};
+  const Curves lens = {{{0, 5}, {5, 8}, {10, 5}}, {{0, 5}, {5, 4}, {10, 5}}};
+  const Shape shape = shape_of(square(0, 0, 10) + fan + lens);
+  EXPECT_EQ(paths(shape), (std::vector<int>{1, 1, 1, 1}));
+  EXPECT_EQ(shape.regions[0].outer.size(), 7u);
+  // Loops that touch remain a defect.
+  EXPECT_EQ(fault_kinds(drawing_of(square(0, 0, 10) + fan + polygon({{0, 5}, {2, 6}, {2, 7}}))),
+            Kinds{DefectKind::touching});
 }
 
 TEST(Features, EndsNearlyOnACurveAreMovedThere) {
