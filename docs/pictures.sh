@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: docs/pictures.sh [BIN]      (BIN: build/release/bin/c1mesh)
-# Draws every example anew: docs/pictures/NAME.svg is what `c1mesh run examples/NAME.svg -o FOLDER`
+# Draws every example anew: docs/pictures/NAME.svg is what `c1mesh run examples/NAME.* -o FOLDER`
 # writes as FOLDER/NAME.svg. Then the table of examples, docs/examples.md, and the picture of the
 # modules.
 set -euo pipefail
@@ -10,7 +10,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
-FORMATS=json,svg docs/battery.sh "$bin" "$out" examples/*.svg
+FORMATS=json,svg docs/battery.sh "$bin" "$out" examples/*.svg examples/*.json
 mkdir -p docs/pictures
 for picture in "$out"/*.svg; do
   cp "$picture" docs/pictures/

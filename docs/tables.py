@@ -149,7 +149,10 @@ def page(title, commands, parts):
 
 def examples_page(folder):
     runs = runs_in(folder)
-    pictures = [f"## {run.name}\n\n`c1mesh run examples/{run.name}.svg -o out` writes\n\n"
+    examples = pathlib.Path(__file__).resolve().parent.parent / "examples"
+    files = {path.stem: path.name for path in sorted(examples.iterdir())}
+    pictures = [f"## {run.name}\n\n"
+                f"`c1mesh run examples/{files.get(run.name, run.name)} -o out` writes\n\n"
                 f"![The shape {run.name} and its domain](pictures/{run.name}.svg)" for run in runs]
     return page("The examples", ["docs/pictures.sh"],
                 [conditions(folder, runs), LEGEND, full_table(runs)] + pictures)

@@ -15,6 +15,7 @@ namespace c1mesh {
 struct InputCurve {
   std::string id;
   BezierCurve curve;
+  bool feature = false;  ///< marked as a feature: bounds nothing, even where it could
 };
 
 /// How the inside of a set of loops is told: SVG's fill-rule. JSON arrangements use even_odd.
@@ -29,7 +30,7 @@ struct Drawing {
 };
 
 struct ReadOptions {
-  bool together = false;  ///< SVG: the whole drawing as one arrangement
+  bool together = false;  ///< SVG: the whole drawing as one arrangement, unfilled lines as features
   std::size_t max_bytes = 200'000'000;
   std::size_t max_curves = 1'000'000;
   int max_depth = 256;  ///< nesting of elements or arrays
@@ -51,10 +52,19 @@ struct CurveUse {
 };
 using Loop = std::vector<CurveUse>;
 
-/// One connected piece of the shape: counter-clockwise outer loop, clockwise holes.
+/// Feature curves that follow one another: between two ends, each a branch point (three or more
+/// curves of boundary and features meet) or a dangling end, or closed and without branch points.
+struct FeaturePath {
+  std::vector<CurveUse> curves;
+  bool closed = false;
+};
+
+/// One connected piece of the shape: counter-clockwise outer loop, clockwise holes, and the feature
+/// curves inside, which meet each other and the loops in end points only.
 struct Region {
   Loop outer;
   std::vector<Loop> holes;
+  std::vector<FeaturePath> features;
 };
 
 /// normalised = (input - origin) * 2^-exponent; the larger side of the bounding box becomes a

@@ -57,7 +57,7 @@ Command add_check(CLI::App& app) {
   cli->add_option("INPUT", arguments->inputs, "JSON or SVG files, - for standard input")
       ->required();
   cli->add_flag("--together", arguments->read.together,
-                "Take a whole SVG drawing as one arrangement");
+                "Take a whole SVG drawing as one arrangement, unfilled lines as features");
   return {cli, [arguments](Console& console) { return check_inputs(console, *arguments); }};
 }
 

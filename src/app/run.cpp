@@ -206,7 +206,7 @@ Command add_run(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::IsMember({"json", "svg", "vtu"}));
   cli->add_flag("--together", arguments->read.together,
-                "Take a whole SVG drawing as one arrangement");
+                "Take a whole SVG drawing as one arrangement, unfilled lines as features");
   add_method_options(*cli, *arguments);
   return {cli, [arguments](Console& console) { return run_inputs(console, *arguments); }};
 }

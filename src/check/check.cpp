@@ -37,15 +37,27 @@ Checked run_stages(const Drawing& drawing, const CheckOptions& options) {
     return out;
   }
   detail::close_gaps(arrangement, options.gap_tolerance);
+  detail::unite_ends(arrangement);
+  detail::remove_near_copies(arrangement);
   arrangement.frame = detail::frame_of(arrangement.curves, arrangement.extent);
-  const detail::Nodes nodes = detail::find_nodes(arrangement);
+  detail::Nodes nodes = detail::find_nodes(arrangement);
+  detail::tell_features(arrangement, nodes);
+  for (const auto stage : {&detail::attach_ends, &detail::cut_crossings})
+    if (stage(arrangement, nodes, options.gap_tolerance)) {
+      nodes = detail::find_nodes(arrangement);
+      detail::tell_features(arrangement, nodes);
+    }
+  detail::report_copies(arrangement);
   detail::note_short(arrangement, nodes, options.gap_tolerance);
   const std::vector<Loop> loops = detail::join(arrangement, nodes);
   const std::vector<char> regular = detail::check_derivatives(arrangement);
   const std::vector<char> cusp = detail::check_joints(arrangement, nodes, regular);
   const detail::Pieces pieces = detail::cut(arrangement, nodes, regular);
   detail::check_intersections(arrangement, nodes, pieces, cusp);
-  if (usable(arrangement.defects)) out.regions = detail::nest(arrangement, loops, pieces);
+  const std::vector<FeaturePath> features = detail::feature_paths(arrangement, nodes);
+  detail::check_features(arrangement, nodes, loops, features, pieces);
+  if (usable(arrangement.defects))
+    out.regions = detail::nest(arrangement, loops, features, nodes, pieces);
   return out;
 }
 

@@ -62,7 +62,8 @@ class Intersections {
   void forget_branchings(const Piece& a, const Piece& b, std::size_t from) {
     for (int end = 0; end < 2; ++end) {
       const int node = end ? a.node1 : a.node0;
-      if (node >= static_cast<int>(nodes_.ends.size()) || nodes_.ends[node].size() <= 2) continue;
+      if (node >= static_cast<int>(nodes_.boundary.size()) || nodes_.boundary[node].size() <= 2)
+        continue;
       if (node != b.node0 && node != b.node1) continue;
       const Point p = end ? a.end() : a.start();
       found_.erase(

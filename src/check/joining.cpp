@@ -12,11 +12,11 @@ namespace {
 class Joiner {
  public:
   Joiner(Arrangement& arrangement, const Nodes& nodes)
-      : arrangement_(arrangement), nodes_(nodes), used_(arrangement.curves.size(), 0) {}
+      : arrangement_(arrangement), nodes_(nodes), used_(arrangement.feature) {}
 
   std::vector<Loop> join() {
     report_branchings();
-    report_chains();
+    use_chains();
     std::vector<Loop> loops;
     for (int i = 0; i < arrangement_.size(); ++i)
       if (!used_[i]) loops.push_back(directed(walk({i, false})));
@@ -25,52 +25,29 @@ class Joiner {
 
  private:
   int node_after(const CurveUse& use) const { return nodes_.of_curve[use.curve][!use.reversed]; }
-  int node_before(const CurveUse& use) const { return nodes_.of_curve[use.curve][use.reversed]; }
 
   void report_branchings() {
-    for (const auto& ends : nodes_.ends) {
+    for (const auto& ends : nodes_.boundary) {
       if (ends.size() <= 2) continue;
       std::vector<int> about;
       for (const CurveEnd& end : ends)
         if (about.empty() || about.back() != end.curve) about.push_back(end.curve);
       const BezierCurve& curve = arrangement_.curves[ends[0].curve];
       const Point where = ends[0].at_end ? curve.end() : curve.start();
-      const bool even = ends.size() % 2 == 0;
-      arrangement_.report(even ? DefectKind::touching : DefectKind::branching, about, {where},
+      arrangement_.report(DefectKind::touching, about, {where},
                           fmt::format("{} curve ends meet in one point", ends.size()),
-                          even ? "move the loops apart, so that each passes through its points once"
-                               : "remove the curves that do not bound the shape");
+                          "move the loops apart, so that each passes through its points once");
     }
   }
 
-  // Chains begin at every end that is alone or at a branching; what they use forms no loop.
-  void report_chains() {
-    for (const auto& ends : nodes_.ends) {
+  // What hangs between branchings forms no loop; the branchings account for it. Without features
+  // there are no single ends.
+  void use_chains() {
+    for (const auto& ends : nodes_.boundary) {
       if (ends.size() == 2) continue;
-      for (const CurveEnd& end : ends) {
-        if (used_[end.curve]) continue;
-        const Loop chain = walk({end.curve, end.at_end});
-        const int first = node_before(chain.front()), last = node_after(chain.back());
-        // A chain between branchings is accounted for by them.
-        if (nodes_.ends[first].size() > 1 && nodes_.ends[last].size() > 1) continue;
-        report_open(chain);
-      }
+      for (const CurveEnd& end : ends)
+        if (!used_[end.curve]) walk({end.curve, end.at_end});
     }
-  }
-
-  void report_open(const Loop& chain) {
-    std::vector<int> about;
-    for (const CurveUse& use : chain) about.push_back(use.curve);
-    const auto end_of = [&](const CurveUse& use, bool after) {
-      const BezierCurve& curve = arrangement_.curves[use.curve];
-      return after != use.reversed ? curve.end() : curve.start();
-    };
-    const Point first = end_of(chain.front(), false), last = end_of(chain.back(), true);
-    arrangement_.report(
-        DefectKind::open_loop, about, {first, last},
-        fmt::format("a chain of {} curve{} does not close; its ends are {:.3g} apart", about.size(),
-                    about.size() == 1 ? "" : "s", (last - first).norm()),
-        "close it, or remove it: curves that bound nothing (features) are not supported yet");
   }
 
   // Follows curves from `use` on until the loop closes or the next node is no plain joint.
@@ -79,7 +56,7 @@ class Joiner {
     while (!used_[use.curve]) {
       used_[use.curve] = 1;
       out.push_back(use);
-      const auto& ends = nodes_.ends[node_after(use)];
+      const auto& ends = nodes_.boundary[node_after(use)];
       if (ends.size() != 2) break;
       const bool arrived_first = ends[0].curve == use.curve && ends[0].at_end == !use.reversed;
       const CurveEnd next = arrived_first ? ends[1] : ends[0];

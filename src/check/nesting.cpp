@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "bernstein/curve.h"
 #include "check/box_pairs.h"
 #include "check/stages.h"
 #include "check/winding.h"
@@ -22,9 +23,12 @@ Loop turned(const Loop& loop) {
 
 class Nesting {
  public:
-  Nesting(Arrangement& arrangement, const std::vector<Loop>& loops, const Pieces& pieces)
+  Nesting(Arrangement& arrangement, const std::vector<Loop>& loops,
+          const std::vector<FeaturePath>& features, const Nodes& nodes, const Pieces& pieces)
       : arrangement_(arrangement),
         loops_(loops),
+        features_(features),
+        nodes_(nodes),
         pieces_(pieces),
         count_(static_cast<int>(loops.size())) {}
 
@@ -121,10 +125,10 @@ class Nesting {
     std::vector<int> region_of(count_, -1);
     std::vector<Region> out;
     for (int i = 0; i < count_; ++i) {
-      if (!bounds_[i]) note_idle(i);
+      if (!bounds_[i]) take_idle(i);
       if (!bounds_[i] || !filled(winding_[i])) continue;
       region_of[i] = static_cast<int>(out.size());
-      out.push_back({areas_[i] > 0 ? loops_[i] : turned(loops_[i]), {}});
+      out.push_back({areas_[i] > 0 ? loops_[i] : turned(loops_[i]), {}, {}});
     }
     for (int i = 0; i < count_; ++i) {
       if (!bounds_[i] || filled(winding_[i])) continue;
@@ -132,20 +136,36 @@ class Nesting {
       while (!bounds_[outer]) outer = parent_[outer];
       out[region_of[outer]].holes.push_back(areas_[i] < 0 ? loops_[i] : turned(loops_[i]));
     }
+    for (const FeaturePath& path : features_) assign(path, out);
     return out;
   }
 
-  void note_idle(int i) {
+  void take_idle(int i) {
     std::vector<int> about;
     for (const CurveUse& use : loops_[i]) about.push_back(use.curve);
     arrangement_.mend(
         DefectKind::note, about, {arrangement_.curves[about.front()].start()},
-        "a loop lies within filled area and bounds nothing by the nonzero rule; it is "
-        "left out");
+        "a loop lies within filled area and bounds nothing by the nonzero rule; it is a feature");
+    for (FeaturePath& path : paths_of(loops_[i], nodes_)) features_.push_back(std::move(path));
+  }
+
+  // To the region that has a point of the path inside; features meet loops in end points only.
+  void assign(const FeaturePath& path, std::vector<Region>& regions) const {
+    const Point p =
+        evaluate(arrangement_.normalised(path.curves[path.curves.size() / 2].curve), 0.5);
+    for (Region& region : regions) {
+      bool inside = winding_number(region.outer, pieces_, p) != 0;
+      for (const Loop& hole : region.holes) inside &= winding_number(hole, pieces_, p) == 0;
+      if (!inside) continue;
+      region.features.push_back(path);
+      return;
+    }
   }
 
   Arrangement& arrangement_;
   const std::vector<Loop>& loops_;
+  std::vector<FeaturePath> features_;
+  const Nodes& nodes_;
   const Pieces& pieces_;
   int count_;
   std::vector<double> areas_;
@@ -156,8 +176,9 @@ class Nesting {
 }  // namespace
 
 std::vector<Region> nest(Arrangement& arrangement, const std::vector<Loop>& loops,
+                         const std::vector<FeaturePath>& features, const Nodes& nodes,
                          const Pieces& pieces) {
-  return Nesting(arrangement, loops, pieces).run();
+  return Nesting(arrangement, loops, features, nodes, pieces).run();
 }
 
 }  // namespace c1mesh::detail

@@ -78,20 +78,6 @@ bool straight(const BezierCurve& curve) {
   return true;
 }
 
-// Moves an end of a curve to `target`. A straight curve stays straight; another takes its handle
-// along, so that its tangent at the joint stays.
-void move_end(BezierCurve& curve, bool at_end, const Point& target) {
-  const int n = curve.degree(), end = at_end ? n : 0;
-  const Point shift = target - curve.poles[end];
-  if (straight(curve)) {
-    for (int i = 1; i < n; ++i) curve.poles[i] += (at_end ? i : n - i) * shift / n;
-  } else if (n > 2) {
-    curve.poles[at_end ? n - 1 : 1] += shift;
-  }
-  // A quadratic's handle belongs to both ends and stays where it is.
-  curve.poles[end] = target;
-}
-
 bool small_against_curves(const Arrangement& arrangement, const CurveEnd& a, const CurveEnd& b,
                           double gap) {
   return gap <= kLargestGapOfCurve * size_of(arrangement.curves[a.curve]) &&
@@ -132,6 +118,18 @@ bool between_long_ones(const Arrangement& arrangement, const Nodes& nodes, int c
 }
 
 }  // namespace
+
+void move_end(BezierCurve& curve, bool at_end, const Point& target) {
+  const int n = curve.degree(), end = at_end ? n : 0;
+  const Point shift = target - curve.poles[end];
+  if (straight(curve)) {
+    for (int i = 1; i < n; ++i) curve.poles[i] += (at_end ? i : n - i) * shift / n;
+  } else if (n > 2) {
+    curve.poles[at_end ? n - 1 : 1] += shift;
+  }
+  // A quadratic's handle belongs to both ends and stays where it is.
+  curve.poles[end] = target;
+}
 
 void note_short(Arrangement& arrangement, const Nodes& nodes, double tolerance) {
   std::vector<int> about;

@@ -88,18 +88,26 @@ std::vector<char> check_joints(Arrangement& arrangement, const Nodes& nodes,
   std::vector<char> cusp(nodes.ends.size(), 0);
   for (std::size_t k = 0; k < nodes.ends.size(); ++k) {
     const auto& ends = nodes.ends[k];
-    if (ends.size() != 2 || !regular[ends[0].curve] || !regular[ends[1].curve]) continue;
-    const Point a = leaving(arrangement, ends[0]), b = leaving(arrangement, ends[1]);
-    const double angle = std::abs(std::atan2(cross(a, b), a.dot(b)));
-    if (angle >= kLeastAngle) continue;
-    cusp[k] = 1;
-    const BezierCurve& curve = arrangement.curves[ends[0].curve];
-    std::vector<int> about = {ends[0].curve};
-    if (ends[1].curve != ends[0].curve) about.push_back(ends[1].curve);
-    arrangement.report(DefectKind::cusp, about, {ends[0].at_end ? curve.end() : curve.start()},
-                       fmt::format("the boundary turns back at a joint (angle {:.2g} degrees)",
-                                   angle * 180 / std::numbers::pi),
-                       "open the angle by moving a handle or the point");
+    // Loops that touch are reported as such.
+    if (nodes.boundary[k].size() > 2) continue;
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      for (std::size_t j = i + 1; j < ends.size(); ++j) {
+        if (!regular[ends[i].curve] || !regular[ends[j].curve]) continue;
+        const Point a = leaving(arrangement, ends[i]), b = leaving(arrangement, ends[j]);
+        const double angle = std::abs(std::atan2(cross(a, b), a.dot(b)));
+        if (angle >= kLeastAngle) continue;
+        cusp[k] = 1;
+        const BezierCurve& curve = arrangement.curves[ends[i].curve];
+        std::vector<int> about = {ends[i].curve};
+        if (ends[j].curve != ends[i].curve) about.push_back(ends[j].curve);
+        arrangement.report(
+            DefectKind::cusp, about, {ends[i].at_end ? curve.end() : curve.start()},
+            fmt::format("{} (angle {:.2g} degrees)",
+                        ends.size() == 2 ? "the boundary turns back at a joint"
+                                         : "two curves leave a point in one direction",
+                        angle * 180 / std::numbers::pi),
+            "open the angle by moving a handle or the point");
+      }
   }
   return cusp;
 }

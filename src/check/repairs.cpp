@@ -13,20 +13,6 @@ namespace {
 // An end derivative below this, relative to the curve's size, counts as vanishing.
 constexpr double kLeastSpeed = 1e-9;
 
-void keep_only(Arrangement& arrangement, const std::vector<char>& keep) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < keep.size(); ++i) {
-    if (!keep[i]) continue;
-    if (kept != i) {
-      arrangement.curves[kept] = std::move(arrangement.curves[i]);
-      arrangement.ids[kept] = std::move(arrangement.ids[i]);
-    }
-    ++kept;
-  }
-  arrangement.curves.resize(kept);
-  arrangement.ids.resize(kept);
-}
-
 // Straight, never turning back, but at rest at an end.
 bool wants_respacing(const Arrangement& arrangement, const BezierCurve& curve) {
   const int n = curve.degree();
@@ -54,6 +40,31 @@ std::vector<double> key_of(const BezierCurve& curve) {
 }
 
 }  // namespace
+
+void keep_only(Arrangement& arrangement, const std::vector<char>& keep) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (!keep[i]) continue;
+    if (kept != i) {
+      arrangement.curves[kept] = std::move(arrangement.curves[i]);
+      arrangement.ids[kept] = std::move(arrangement.ids[i]);
+      arrangement.feature[kept] = arrangement.feature[i];
+      arrangement.copies[kept] = std::move(arrangement.copies[i]);
+    }
+    ++kept;
+  }
+  arrangement.curves.resize(kept);
+  arrangement.ids.resize(kept);
+  arrangement.feature.resize(kept);
+  arrangement.copies.resize(kept);
+}
+
+void add_copy(Arrangement& arrangement, int original, int copy) {
+  auto& copies = arrangement.copies[original];
+  copies.push_back(arrangement.ids[copy]);
+  copies.insert(copies.end(), arrangement.copies[copy].begin(), arrangement.copies[copy].end());
+  if (arrangement.feature[copy]) arrangement.feature[original] = kMarked;
+}
 
 void drop_zero_length(Arrangement& arrangement) {
   std::vector<char> keep(arrangement.curves.size(), 1);
@@ -96,9 +107,7 @@ void remove_duplicates(Arrangement& arrangement) {
     keep[now] = 0;
   }
   for (int i = 0; i < arrangement.size(); ++i)
-    if (!keep[i])
-      arrangement.report(DefectKind::duplicate, {original[i], i}, {arrangement.curves[i].start()},
-                         "a curve is given twice", "remove one of the two");
+    if (!keep[i]) add_copy(arrangement, original[i], i);
   keep_only(arrangement, keep);
 }
 

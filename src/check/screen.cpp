@@ -141,6 +141,8 @@ bool screen(const Drawing& drawing, Arrangement& out) {
   for (const InputCurve& input : drawing.curves) {
     out.ids.push_back(input.id);
     out.curves.push_back(input.curve);
+    out.feature.push_back(input.feature ? kMarked : kBounds);
+    out.copies.emplace_back();
     // Negative zero equals zero but has other bits; loops are to close bit for bit.
     for (Point& p : out.curves.back().poles) p.array() += 0.0;
   }

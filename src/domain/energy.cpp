@@ -91,16 +91,17 @@ DomainElements domain_elements(const CurvedMesh& mesh, const Joints& joints, con
   // Half by area, half uniform: by area alone tiny triangles would be ignored.
   for (DomainElement& e : out.all) e.weight = 0.5 * e.area / total + 0.5 / out.triangles;
   for (std::size_t l = 0; l < joints.size(); ++l) {
-    const int m = static_cast<int>(joints[l].size());
-    for (int k = 0; k < m; ++k) {
+    for (std::size_t k = 0; k < joints[l].size(); ++k) {
       const Joint& joint = joints[l][k];
-      const int previous = joints[l][(k + m - 1) % m].vertex, next = joints[l][(k + 1) % m].vertex;
-      if (roles[l][k] == Role::flat) continue;
+      const int previous = joint.previous, next = joint.next;
+      if (roles[l][k] == Role::flat || joint.kind == JointKind::end) continue;
       if (gives_up_c1(roles[l][k])) {
         // Only the side it turns to matters here: a corner keeps its own, a smooth vertex turns
-        // as the loop's polygon must.
+        // as the loop's polygon must. A branch point may do without turning, and a feature's
+        // vertex is convex from one of its sides, whichever way it turns.
         DomainElement wedge;
-        if (joint.kind != JointKind::corner && roles[l][k] == Role::released) continue;
+        if (joint.kind != JointKind::corner && (roles[l][k] != Role::exceptional || joint.feature))
+          continue;
         if (joint.kind == JointKind::corner)
           wedge = corner_wedge(previous, joint.vertex, next, joint.d0, joint.d1, joint.convex());
         else

@@ -3,7 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
+#include <set>
+
+#include "domain/cycles.h"
 
 namespace c1mesh {
 namespace {
@@ -15,15 +20,15 @@ struct LoopProfile {
   std::vector<double> bend;  // turning towards the wanted side within a window
 };
 
-LoopProfile profile_of(const CurvedMesh& mesh, const std::vector<Joint>& joints, double side,
+LoopProfile profile_of(const CurvedMesh& mesh, const std::vector<int>& vertices, double side,
                        double window_share) {
   LoopProfile out;
-  const int m = static_cast<int>(joints.size());
+  const int m = static_cast<int>(vertices.size());
   std::vector<double> turn(m);
   for (int k = 0; k < m; ++k) {
-    const Point& p = mesh.control[joints[k].vertex];
-    const Point ahead = mesh.control[joints[(k + 1) % m].vertex] - p;
-    const Point behind = p - mesh.control[joints[(k + m - 1) % m].vertex];
+    const Point& p = mesh.control[vertices[k]];
+    const Point ahead = mesh.control[vertices[(k + 1) % m]] - p;
+    const Point behind = p - mesh.control[vertices[(k + m - 1) % m]];
     out.at.push_back(out.length);
     out.length += ahead.norm();
     turn[k] = side * std::atan2(cross(behind, ahead), behind.dot(ahead));
@@ -49,7 +54,8 @@ double distance(const LoopProfile& profile, int a, int b) {
 
 bool is_wanted_corner(const Joint& joint, Role role) {
   if (role == Role::exceptional) return true;
-  if (role == Role::released)
+  if (role == Role::branch && joint.kind != JointKind::corner) return true;
+  if (role == Role::released || role == Role::branch)
     return joint.kind == JointKind::corner && joint.convex() == (joint.loop == 0);
   return role == Role::anchor && joint.kind == JointKind::corner &&
          joint.convex() == (joint.loop == 0);
@@ -66,16 +72,21 @@ std::vector<int> taken_places(const std::vector<Joint>& joints, const std::vecto
   return out;
 }
 
-void place_by_curvature(const LoopProfile& profile, const std::vector<Joint>& joints, int missing,
-                        std::vector<Role>& roles) {
-  const int m = static_cast<int>(joints.size());
-  const std::vector<int> reflex = taken_places(joints, roles, false);
+bool is_free(Role role) {
+  return role == Role::flat || role == Role::bent;
+}
+
+// Positions of `missing` more chain ends among the `free` ones. `taken`, increasing: chain ends of
+// the wanted kind already there; `reflex`: those to stay away from.
+std::vector<int> choose_by_curvature(const LoopProfile& profile, std::vector<char> free,
+                                     std::vector<int> taken, const std::vector<int>& reflex,
+                                     int missing) {
+  std::vector<int> chosen;
   for (; missing > 0; --missing) {
-    const std::vector<int> taken = taken_places(joints, roles, true);
     int best = -1;
     double best_score = -1e300;
-    for (int k = 0; k < m; ++k) {
-      if (roles[k] != Role::flat && roles[k] != Role::bent) continue;
+    for (int k = 0; k < static_cast<int>(free.size()); ++k) {
+      if (!free[k]) continue;
       double score = profile.bend[k];
       // Spacing: chain ends closer than a sixth of the loop cost a full turn, falling linearly.
       for (int other : taken)
@@ -87,14 +98,17 @@ void place_by_curvature(const LoopProfile& profile, const std::vector<Joint>& jo
         best = k;
       }
     }
-    if (best < 0) return;
-    roles[best] = Role::exceptional;
+    if (best < 0) break;
+    free[best] = 0;
+    taken.insert(std::upper_bound(taken.begin(), taken.end(), best), best);
+    chosen.push_back(best);
   }
+  return chosen;
 }
 
-void place_evenly(const LoopProfile& profile, const std::vector<Joint>& joints, int missing,
-                  double offset, std::vector<Role>& roles) {
-  const int m = static_cast<int>(joints.size());
+std::vector<int> choose_evenly(const LoopProfile& profile, std::vector<char> free, int missing,
+                               double offset) {
+  std::vector<int> chosen;
   const int start = static_cast<int>(std::max_element(profile.bend.begin(), profile.bend.end()) -
                                      profile.bend.begin());
   for (int c = 0; c < missing; ++c) {
@@ -102,8 +116,8 @@ void place_evenly(const LoopProfile& profile, const std::vector<Joint>& joints, 
         std::fmod(profile.at[start] + (c + offset) * profile.length / missing, profile.length);
     int best = -1;
     double best_distance = 1e300;
-    for (int k = 0; k < m; ++k) {
-      if (roles[k] != Role::flat && roles[k] != Role::bent) continue;
+    for (int k = 0; k < static_cast<int>(free.size()); ++k) {
+      if (!free[k]) continue;
       double d = std::abs(profile.at[k] - goal);
       d = std::min(d, profile.length - d);
       if (d < best_distance) {
@@ -111,9 +125,129 @@ void place_evenly(const LoopProfile& profile, const std::vector<Joint>& joints, 
         best = k;
       }
     }
-    if (best >= 0) roles[best] = Role::exceptional;
+    if (best < 0) break;
+    free[best] = 0;
+    chosen.push_back(best);
   }
+  return chosen;
 }
+
+// `side`: +1 where corners to the left are missing, -1 to the right.
+std::vector<int> choose(const CurvedMesh& mesh, const std::vector<int>& vertices, double side,
+                        const std::vector<char>& free, const std::vector<int>& taken,
+                        const std::vector<int>& reflex, int missing, Placement placement) {
+  const LoopProfile profile =
+      profile_of(mesh, vertices, side, placement == Placement::tips ? 0.02 : 1.0 / 12);
+  if (placement == Placement::curvature || placement == Placement::tips)
+    return choose_by_curvature(profile, free, taken, reflex, missing);
+  return choose_evenly(profile, free, missing, placement == Placement::spread ? 0.0 : 0.5);
+}
+
+// Turns of the polygon's corners along a cycle (see face_cycles). The corners placed on features
+// turn as the cycle for which they were placed wanted: (path, position) -> +1 left, -1 right.
+class CycleCorners {
+ public:
+  explicit CycleCorners(const Joints& joints) : joints_(joints) {}
+
+  static int side(const Cycle& cycle) { return cycle.inside ? 1 : -1; }
+  const Joint& joint(const CycleStop& stop) const { return joints_[stop.path][stop.position]; }
+
+  // +1: a corner of the kind that the cycle needs; -1: of the other kind; 0: none.
+  int kind(const Cycle& cycle, const CycleStop& stop, const Roles& roles) const {
+    const Joint& at = joint(stop);
+    if (at.branch) return 1;
+    const Role role = roles[stop.path][stop.position];
+    int turn = 0;
+    if (role == Role::exceptional)
+      turn = at.feature ? placed_.at({stop.path, stop.position}) : at.loop == 0 ? 1 : -1;
+    else if (ends_chain(role) && at.kind == JointKind::corner)
+      turn = at.convex() ? 1 : -1;
+    return turn * (stop.forward ? 1 : -1) * side(cycle);
+  }
+
+  // A loop's vertices turn to the side that their own polygon needs.
+  bool may_take(const Cycle& cycle, const CycleStop& stop, const Roles& roles) const {
+    const Joint& at = joint(stop);
+    return is_free(roles[stop.path][stop.position]) &&
+           (at.feature || cycle.inside == (at.loop == 0));
+  }
+
+  void place(const Cycle& cycle, const CycleStop& stop, Roles& roles) {
+    roles[stop.path][stop.position] = Role::exceptional;
+    placed_[{stop.path, stop.position}] = (stop.forward ? 1 : -1) * side(cycle);
+  }
+
+ private:
+  const Joints& joints_;
+  std::map<std::pair<int, int>, int> placed_;
+};
+
+// Places what the polygons of faces lack. A place on a loop or outer side of features that lacks
+// corners too serves both.
+class CyclePlacer {
+ public:
+  CyclePlacer(const CurvedMesh& mesh, const Joints& joints, Placement placement)
+      : mesh_(mesh),
+        joints_(joints),
+        placement_(placement),
+        cycles_(face_cycles(mesh)),
+        corners_(joints) {}
+
+  void place_inside(Roles& roles) {
+    for (const Cycle& cycle : cycles_)
+      if (cycle.inside) place(cycle, roles);
+  }
+
+  void place_all(Roles& roles) {
+    for (const Cycle& cycle : cycles_) place(cycle, roles);
+  }
+
+ private:
+  int missing(const Cycle& cycle, const Roles& roles) const {
+    int have = 0;
+    for (const CycleStop& stop : cycle.stops) have += corners_.kind(cycle, stop, roles) > 0;
+    return 3 - have;
+  }
+
+  std::set<int> on_lacking_rims(const Roles& roles) const {
+    std::set<int> out;
+    if (missing_corners(joints_, roles, 0) > 0)
+      for (const Joint& joint : joints_[0]) out.insert(joint.vertex);
+    for (const Cycle& cycle : cycles_)
+      if (!cycle.inside && missing(cycle, roles) > 0)
+        for (const CycleStop& stop : cycle.stops) out.insert(stop.vertex);
+    return out;
+  }
+
+  void place(const Cycle& cycle, Roles& roles) {
+    for (int rest = missing(cycle, roles); rest > 0; rest = missing(cycle, roles)) {
+      const std::set<int> lacking = on_lacking_rims(roles);
+      std::vector<int> vertices, taken, reflex;
+      std::vector<char> free, serving;
+      for (std::size_t k = 0; k < cycle.stops.size(); ++k) {
+        const CycleStop& stop = cycle.stops[k];
+        vertices.push_back(stop.vertex);
+        free.push_back(corners_.may_take(cycle, stop, roles));
+        serving.push_back(free.back() && lacking.count(stop.vertex));
+        const int kind = corners_.kind(cycle, stop, roles);
+        if (kind > 0) taken.push_back(static_cast<int>(k));
+        if (kind < 0) reflex.push_back(static_cast<int>(k));
+      }
+      const bool serves = std::count(serving.begin(), serving.end(), 1) >= rest;
+      const std::vector<int> chosen =
+          choose(mesh_, vertices, CycleCorners::side(cycle), serves ? serving : free, taken, reflex,
+                 rest, placement_);
+      if (chosen.empty()) return;
+      for (const int k : chosen) corners_.place(cycle, cycle.stops[k], roles);
+    }
+  }
+
+  const CurvedMesh& mesh_;
+  const Joints& joints_;
+  Placement placement_;
+  std::vector<Cycle> cycles_;
+  CycleCorners corners_;
+};
 
 }  // namespace
 
@@ -129,16 +263,23 @@ int missing_corners(const Joints& joints, const Roles& roles, int loop) {
 Roles place_exceptional(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                         Placement placement) {
   Roles out = roles;
-  for (std::size_t l = 0; l < joints.size(); ++l) {
-    const int missing = missing_corners(joints, roles, static_cast<int>(l));
+  std::optional<CyclePlacer> cycles;
+  if (!mesh.features.empty()) cycles.emplace(mesh, joints, placement).place_inside(out);
+  for (std::size_t l = 0; l < mesh.loops.size(); ++l) {
+    const int missing = missing_corners(joints, out, static_cast<int>(l));
     if (missing == 0) continue;
-    const LoopProfile profile = profile_of(mesh, joints[l], l == 0 ? 1.0 : -1.0,
-                                           placement == Placement::tips ? 0.02 : 1.0 / 12);
-    if (placement == Placement::curvature || placement == Placement::tips)
-      place_by_curvature(profile, joints[l], missing, out[l]);
-    else
-      place_evenly(profile, joints[l], missing, placement == Placement::spread ? 0.0 : 0.5, out[l]);
+    std::vector<int> vertices;
+    std::vector<char> free;
+    for (std::size_t k = 0; k < joints[l].size(); ++k) {
+      vertices.push_back(joints[l][k].vertex);
+      free.push_back(is_free(out[l][k]));
+    }
+    for (const int k :
+         choose(mesh, vertices, l == 0 ? 1.0 : -1.0, free, taken_places(joints[l], out[l], true),
+                taken_places(joints[l], out[l], false), missing, placement))
+      out[l][k] = Role::exceptional;
   }
+  if (cycles) cycles->place_all(out);
   return out;
 }
 
@@ -146,10 +287,12 @@ std::vector<Roles> one_more(const CurvedMesh& mesh, const Joints& joints, const 
                             int count) {
   constexpr double kApart = 1.0 / 24;  // of the loop's length
   std::vector<Roles> out;
-  for (std::size_t l = 0; l < joints.size(); ++l) {
+  for (std::size_t l = 0; l < mesh.loops.size(); ++l) {
     const double outer = l == 0 ? 1 : -1;
+    std::vector<int> vertices;
+    for (const Joint& joint : joints[l]) vertices.push_back(joint.vertex);
     for (const double side : {outer, -outer}) {
-      const LoopProfile profile = profile_of(mesh, joints[l], side, kApart);
+      const LoopProfile profile = profile_of(mesh, vertices, side, kApart);
       std::vector<int> taken;
       const int m = static_cast<int>(joints[l].size());
       for (int k = 0; k < m; ++k)
@@ -181,13 +324,47 @@ int count_exceptional(const Roles& roles) {
   return count;
 }
 
-int minimum_exceptional(const Joints& joints) {
-  int count = 0;
-  for (std::size_t l = 0; l < joints.size(); ++l) {
-    int corners = 0;
-    for (const Joint& joint : joints[l])
-      if (joint.kind == JointKind::corner && joint.convex() == (l == 0)) ++corners;
-    count += std::max(0, 3 - corners);
+int minimum_exceptional(const CurvedMesh& mesh, const Joints& joints) {
+  // What a polygon lacks at least, and where it runs.
+  struct Demand {
+    int missing;
+    std::set<int> vertices;
+  };
+  std::set<int> branches;
+  for (const auto& path : joints)
+    for (const Joint& joint : path)
+      if (joint.branch) branches.insert(joint.vertex);
+  // Vertices that serve one of these do not serve another.
+  std::vector<Demand> apart;
+  std::vector<Demand> rims;
+  for (std::size_t l = 0; l < mesh.loops.size(); ++l) {
+    Demand demand{3, {}};
+    for (const Joint& joint : joints[l]) {
+      demand.vertices.insert(joint.vertex);
+      if (joint.branch || (joint.kind == JointKind::corner && joint.convex() == (l == 0)))
+        --demand.missing;
+    }
+    (l == 0 ? rims : apart).push_back(demand);
+  }
+  const CycleCorners corners(joints);
+  const Roles roles = natural_roles(joints);
+  for (const Cycle& cycle : face_cycles(mesh)) {
+    Demand demand{3, {}};
+    for (const CycleStop& stop : cycle.stops) {
+      demand.vertices.insert(stop.vertex);
+      if (corners.kind(cycle, stop, roles) > 0) --demand.missing;
+    }
+    (cycle.inside ? apart : rims).push_back(demand);
+  }
+  int count = static_cast<int>(branches.size());
+  for (const Demand& demand : apart) count += std::max(0, demand.missing);
+  for (const Demand& rim : rims) {
+    int served = 0;
+    for (const Demand& demand : apart)
+      if (std::any_of(demand.vertices.begin(), demand.vertices.end(),
+                      [&](int v) { return rim.vertices.count(v) > 0; }))
+        served += std::max(0, demand.missing);
+    count += std::max(0, rim.missing - served);
   }
   return count;
 }

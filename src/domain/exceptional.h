@@ -26,14 +26,16 @@ enum class Placement {
   shifted,    ///< evenly, offset by half a spacing
 };
 
-/// Roles with the missing corners of every loop placed as exceptional vertices.
+/// Roles with the missing corners of every loop, and of every cycle that bounds a face between
+/// features, placed as exceptional vertices.
 Roles place_exceptional(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                         Placement placement);
 
+/// How many places give up C1; a branch point has one in each of its paths.
 int count_exceptional(const Roles& roles);
 
 /// The fewest exceptional vertices of the region (docs/vocabulary.md; joints decide, not roles).
-int minimum_exceptional(const Joints& joints);
+int minimum_exceptional(const CurvedMesh& mesh, const Joints& joints);
 
 /// Where one more exceptional vertex may lower the distortion: up to `count` positions per loop and
 /// side at which the boundary bends most, apart from each other and from chain ends. Each is

@@ -38,26 +38,63 @@ JointKind classify(const Joint& joint, int degree, double corner_angle) {
   return turn < corner_angle ? JointKind::mild : JointKind::corner;
 }
 
-// kind_of(joint, edge before, edge after) decides what cannot be seen from the mesh alone.
+struct Path {
+  const std::vector<BoundaryEdge>* edges;
+  bool closed, feature;
+};
+
+std::vector<Path> paths_of(const CurvedMesh& mesh) {
+  std::vector<Path> out;
+  for (const auto& loop : mesh.loops) out.push_back({&loop, true, false});
+  for (const FeatureLine& line : mesh.features) out.push_back({&line.edges, line.closed, true});
+  return out;
+}
+
+// How many edges on curves end in each vertex.
+std::vector<int> curve_edges(const CurvedMesh& mesh) {
+  std::vector<int> count(mesh.vertex_count(), 0);
+  for (const Path& path : paths_of(mesh))
+    for (const BoundaryEdge& edge : *path.edges) ++count[edge.a], ++count[edge.b];
+  return count;
+}
+
+// kind_of(joint) decides what cannot be seen from the mesh alone.
 template <class KindOf>
 Joints joints_of(const CurvedMesh& mesh, const KindOf& kind_of) {
   const auto control = boundary_control(mesh);
+  const std::vector<Path> paths = paths_of(mesh);
+  const std::vector<int> meeting = curve_edges(mesh);
   const int n = mesh.degree;
-  Joints joints(mesh.loops.size());
-  for (std::size_t l = 0; l < mesh.loops.size(); ++l) {
-    const auto& loop = mesh.loops[l];
-    const int m = static_cast<int>(loop.size());
-    for (int k = 0; k < m; ++k) {
-      const int before = (k + m - 1) % m;
-      const auto &in = control[l][before], &out = control[l][k];
+  Joints joints(paths.size());
+  for (std::size_t l = 0; l < paths.size(); ++l) {
+    const auto& edges = *paths[l].edges;
+    const int m = static_cast<int>(edges.size());
+    for (int k = 0; k < m + !paths[l].closed; ++k) {
       Joint joint;
-      joint.vertex = loop[k].a;
+      joint.vertex = k < m ? edges[k].a : edges[m - 1].b;
       joint.loop = static_cast<int>(l);
       joint.position = k;
-      joint.d0 = n * (mesh.control[in[n]] - mesh.control[in[n - 1]]);
-      joint.d1 = n * (mesh.control[out[1]] - mesh.control[out[0]]);
-      joint.kind = same_curve(loop[before], loop[k]) ? JointKind::inside : kind_of(joint);
-      measure(joint, loop[before], loop[k]);
+      joint.feature = paths[l].feature;
+      joint.branch = meeting[joint.vertex] > 2;
+      const bool first = !paths[l].closed && k == 0, last = k == m;
+      const int before = (k + m - 1) % m;
+      if (!first) {
+        const auto& in = control[l][before];
+        joint.previous = edges[before].a;
+        joint.d0 = n * (mesh.control[in[n]] - mesh.control[in[n - 1]]);
+      }
+      if (!last) {
+        const auto& out = control[l][k];
+        joint.next = edges[k].b;
+        joint.d1 = n * (mesh.control[out[1]] - mesh.control[out[0]]);
+      }
+      if (first || last) {
+        joint.kind = JointKind::end;
+        (first ? joint.d0 : joint.d1) = Point::Zero();
+      } else {
+        joint.kind = same_curve(edges[before], edges[k]) ? JointKind::inside : kind_of(joint);
+        measure(joint, edges[before], edges[k]);
+      }
       joints[l].push_back(joint);
     }
   }
@@ -72,9 +109,9 @@ std::vector<std::vector<std::vector<int>>> boundary_control(const CurvedMesh& me
     for (int k = 0; k < 3; ++k)
       sides[{mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}] = {t, k};
   std::vector<std::vector<std::vector<int>>> out;
-  for (const auto& loop : mesh.loops) {
+  for (const Path& path : paths_of(mesh)) {
     out.emplace_back();
-    for (const BoundaryEdge& edge : loop) {
+    for (const BoundaryEdge& edge : *path.edges) {
       const auto side = sides.at({edge.a, edge.b});
       out.back().push_back(edge_controls(mesh, side.first, (side.second + 2) % 3));
     }
@@ -88,10 +125,11 @@ Joints find_joints(const CurvedMesh& mesh, double corner_angle) {
 }
 
 Joints find_joints_again(const CurvedMesh& mesh, const Joints& before) {
-  std::map<int, JointKind> kinds;
-  for (const auto& loop : before)
-    for (const Joint& joint : loop) kinds[joint.vertex] = joint.kind;
-  return joints_of(mesh, [&](const Joint& joint) { return kinds.at(joint.vertex); });
+  std::vector<std::map<int, JointKind>> kinds(
+      before.size());  // per path: a branch point is in several
+  for (const auto& path : before)
+    for (const Joint& joint : path) kinds[joint.loop][joint.vertex] = joint.kind;
+  return joints_of(mesh, [&](const Joint& joint) { return kinds[joint.loop].at(joint.vertex); });
 }
 
 }  // namespace c1mesh

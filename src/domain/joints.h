@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the shape's boundary does at each boundary vertex of the mesh.
+// What the shape's curves do at each vertex of the mesh on boundary or features.
 #pragma once
 
 #include <vector>
@@ -13,12 +13,17 @@ enum class JointKind {
   smooth,  ///< two curves, tangents agree to rounding
   mild,    ///< turns by less than the corner angle
   corner,  ///< turns by more
+  end,     ///< where an open feature ends: at a branch point, or dangling
 };
 
-/// One boundary vertex, between the loop's edges `before` and `after`.
+/// One vertex on a path, a loop or a feature, between the path's edges `before` and `after`.
 struct Joint {
   int vertex = -1;
-  int loop = -1, position = -1;  ///< position = index of the edge that leaves the vertex
+  int loop = -1,
+      position = -1;  ///< of the path; position = index of the edge that leaves the vertex
+  int previous = -1, next = -1;  ///< the path's vertices before and after; -1 beyond an end
+  bool feature = false;          ///< the path is a feature
+  bool branch = false;           ///< three or more edges on curves meet here
   JointKind kind = JointKind::inside;
   Point d0, d1;      ///< n (p_n - p_(n-1)) into and n (p_1 - p_0) out of the vertex
   double ratio = 1;  ///< r = d0.d1 / |d0|^2; inside a curve exactly the parameter ratio
@@ -27,7 +32,8 @@ struct Joint {
   bool convex() const { return turn > 0; }
 };
 
-/// joints[loop][position] for every boundary vertex.
+/// joints[path][position]: first the loops, then the features. A loop or closed feature has as many
+/// joints as edges, an open feature one more. A branch point is in several paths.
 using Joints = std::vector<std::vector<Joint>>;
 
 /// Classifies by the control points of the mesh; `corner_angle` in degrees. A joint counts as
@@ -39,7 +45,8 @@ Joints find_joints(const CurvedMesh& mesh, double corner_angle);
 /// curves.
 Joints find_joints_again(const CurvedMesh& mesh, const Joints& before);
 
-/// For each loop and position: ids of the n+1 control points along the edge, first to last.
+/// For each path (loops, then features) and edge: ids of the n+1 control points along the edge,
+/// first to last.
 std::vector<std::vector<std::vector<int>>> boundary_control(const CurvedMesh& mesh);
 
 }  // namespace c1mesh

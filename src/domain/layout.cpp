@@ -74,14 +74,15 @@ void place_chain(const Chain& chain, const std::vector<EdgeForm>& forms, const J
   }
 }
 
-std::vector<Chain> chains_of(const Roles& roles) {
+std::vector<Chain> chains_of(const Joints& joints, const Roles& roles) {
   std::vector<Chain> chains;
   for (std::size_t l = 0; l < roles.size(); ++l) {
     const int m = static_cast<int>(roles[l].size());
+    const bool open = joints[l].front().kind == JointKind::end;
     int first = 0;
     while (first < m && !ends_chain(roles[l][first])) ++first;
     if (first == m) throw std::logic_error("a loop without chain ends");
-    for (int k = first; k < first + m;) {
+    for (int k = first; k < (open ? m - 1 : first + m);) {
       int next = k + 1;
       while (!ends_chain(roles[l][next % m])) ++next;
       chains.push_back({static_cast<int>(l), k, next});
@@ -128,21 +129,19 @@ void place_tips(const Joints& joints, const Roles& roles, const DomainLayout& la
       out.emplace_back(row, static_cast<int>(it.col()), factor * it.value());
   };
   for (std::size_t l = 0; l < joints.size(); ++l) {
-    const std::size_t m = joints[l].size();
-    for (std::size_t k = 0; k < m; ++k) {
+    for (std::size_t k = 0; k < joints[l].size(); ++k) {
       const Tips tips = layout.tips[l][k];
       if (tips.along < 0) continue;
       const Joint& joint = joints[l][k];
-      const int previous = joints[l][(k + m - 1) % m].vertex, next = joints[l][(k + 1) % m].vertex;
       add(tips.along, joint.vertex, 2);
-      add(tips.along, previous, -1);
+      add(tips.along, joint.previous, -1);
       if (roles[l][k] == Role::bent) {
         add(tips.across, joint.vertex, 1);
         out.emplace_back(tips.across, layout.bend_unknown[l][k], 1);
       } else {
         add(tips.across, joint.vertex, 1 - (1 + joint.ratio) / joint.kappa);
-        add(tips.across, next, 1 / joint.kappa);
-        add(tips.across, previous, joint.ratio / joint.kappa);
+        add(tips.across, joint.next, 1 / joint.kappa);
+        add(tips.across, joint.previous, joint.ratio / joint.kappa);
       }
     }
   }
@@ -156,10 +155,10 @@ Roles natural_roles(const Joints& joints, double bent_limit) {
     roles.emplace_back();
     for (const Joint& joint : loop) {
       Role role = Role::flat;
-      if (joint.kind == JointKind::corner) role = Role::anchor;
+      if (joint.kind == JointKind::corner || joint.kind == JointKind::end) role = Role::anchor;
       if (joint.kind == JointKind::mild)
         role = std::abs(joint.kappa) < bent_limit ? Role::bent : Role::anchor;
-      roles.back().push_back(role);
+      roles.back().push_back(joint.branch ? Role::branch : role);
     }
   }
   return roles;
@@ -198,7 +197,7 @@ DomainLayout make_layout(const CurvedMesh& mesh, const Joints& joints, const Rol
       exact.emplace_back(row, layout.unknown_of_row[row], 1);
       sparse.emplace_back(row, layout.unknown_of_row[row], 1);
     }
-  for (const Chain& chain : chains_of(roles))
+  for (const Chain& chain : chains_of(joints, roles))
     place_chain(chain, edge_forms(chain, joints, roles, layout), joints, layout, exact, sparse);
   for (auto [triplets, matrix] : {std::pair(&exact, &layout.exact), {&sparse, &layout.sparse}}) {
     DomainLayout::Matrix positions(vertices, unknowns);

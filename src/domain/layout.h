@@ -11,18 +11,19 @@
 
 namespace c1mesh {
 
-/// What the domain does at a boundary vertex.
+/// What the domain does at a vertex on boundary or features.
 enum class Role {
   flat,         ///< interior angle exactly pi, edge lengths in the ratio of the derivatives
   bent,         ///< a mild joint within a chain: turns by kappa w, w a free vector
-  anchor,       ///< ends a chain, C1: a corner, or a mild joint with a free vertex
+  anchor,       ///< ends a chain, C1: a corner, a mild joint with a free vertex, a dangling end
   exceptional,  ///< ends a chain, C1 given up, as a corner the loop's polygon needs
   released,     ///< ends a chain, C1 given up because keeping it failed
+  branch,       ///< ends chains, C1 given up: three or more curves meet
 };
 
-/// Is C1 given up at a vertex of this role? (Both kinds are exceptional vertices of the result.)
+/// Is C1 given up at a vertex of this role? (All such are exceptional vertices of the result.)
 inline bool gives_up_c1(Role role) {
-  return role == Role::exceptional || role == Role::released;
+  return role == Role::exceptional || role == Role::released || role == Role::branch;
 }
 inline bool ends_chain(Role role) {
   return role == Role::anchor || gives_up_c1(role);
@@ -31,8 +32,8 @@ inline bool ends_chain(Role role) {
 /// roles[loop][position], aligned with Joints.
 using Roles = std::vector<std::vector<Role>>;
 
-/// The roles that keep everything C1: corners and distinctly turning joints (|kappa| above
-/// `bent_limit`) are anchors, slighter ones bent, the rest flat.
+/// The roles that keep everything C1 but at branch points: corners and distinctly turning joints
+/// (|kappa| above `bent_limit`) are anchors, slighter ones bent, the rest flat.
 Roles natural_roles(const Joints& joints, double bent_limit = 1e-2);
 
 /// Carries roles to a refined mesh: by vertex id, new vertices flat.
@@ -59,7 +60,8 @@ struct DomainLayout {
   int unknowns() const { return static_cast<int>(exact.cols()); }
 };
 
-/// Precondition: every loop has at least two chain ends (three for a valid polygon).
+/// Precondition: every loop and closed feature has at least two chain ends (three for a valid
+/// polygon).
 DomainLayout make_layout(const CurvedMesh& mesh, const Joints& joints, const Roles& roles);
 
 }  // namespace c1mesh

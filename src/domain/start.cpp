@@ -66,8 +66,9 @@ void place_on_convex_polygon(const CurvedMesh& mesh, const Joints& joints, const
         length[k] + (mesh.domain[loop[(k + 1) % m].vertex] - mesh.domain[loop[k].vertex]).norm();
   std::vector<int> corners;
   for (int k = 0; k < m; ++k) {
-    const bool convex =
-        loop[k].kind == JointKind::corner ? loop[k].convex() : roles[0][k] == Role::exceptional;
+    const bool convex = loop[k].kind == JointKind::corner
+                            ? loop[k].convex()
+                            : roles[0][k] == Role::exceptional || roles[0][k] == Role::branch;
     if (ends_chain(roles[0][k]) && convex) corners.push_back(k);
   }
   const int count = static_cast<int>(corners.size());
@@ -109,8 +110,8 @@ PointMatrix unknowns_near_points(const PointMatrix& wanted, const Joints& joints
     for (std::size_t k = 0; k < joints[l].size(); ++k) {
       const int unknown = layout.bend_unknown[l][k];
       if (unknown < 0) continue;
-      const int previous = joints[l][(k + joints[l].size() - 1) % joints[l].size()].vertex;
-      const Eigen::RowVector2d e = wanted.row(joints[l][k].vertex) - wanted.row(previous);
+      const Eigen::RowVector2d e =
+          wanted.row(joints[l][k].vertex) - wanted.row(joints[l][k].previous);
       unknowns.row(unknown) << -e.y(), e.x();
     }
   return unknowns;
@@ -133,8 +134,7 @@ PointMatrix unknowns_of_shape(const DomainShape& shape, const Joints& joints,
   const PointMatrix& points = shape.points;
   PointMatrix unknowns = unknowns_near_points(points, joints, layout);
   for (std::size_t l = 0; l < joints.size(); ++l) {
-    const std::size_t m = joints[l].size();
-    for (std::size_t k = 0; k < m; ++k) {
+    for (std::size_t k = 0; k < joints[l].size(); ++k) {
       const int unknown = layout.bend_unknown[l][k];
       if (unknown < 0) continue;
       const Joint& joint = joints[l][k];
@@ -145,8 +145,8 @@ PointMatrix unknowns_of_shape(const DomainShape& shape, const Joints& joints,
         continue;
       }
       const Eigen::RowVector2d v = points.row(joint.vertex);
-      const Eigen::RowVector2d in = v - points.row(joints[l][(k + m - 1) % m].vertex);
-      const Eigen::RowVector2d out = points.row(joints[l][(k + 1) % m].vertex) - v;
+      const Eigen::RowVector2d in = v - points.row(joint.previous);
+      const Eigen::RowVector2d out = points.row(joint.next) - v;
       unknowns.row(unknown) = (out - joint.ratio * in) / joint.kappa;
     }
   }

@@ -31,10 +31,9 @@ Point along(const Eigen::VectorXd& x, int from, int to) {
   return x.segment<2>(2 * to) - x.segment<2>(2 * from);
 }
 
-Turn turn_at(const Joint& joint, const std::vector<Joint>& loop, const Eigen::VectorXd& x) {
-  const std::size_t m = loop.size(), k = joint.position;
+Turn turn_at(const Joint& joint, const Eigen::VectorXd& x) {
   Turn turn;
-  turn.points = {loop[(k + m - 1) % m].vertex, joint.vertex, loop[(k + 1) % m].vertex};
+  turn.points = {joint.previous, joint.vertex, joint.next};
   const Point e0 = along(x, turn.points[0], turn.points[1]);
   const Point e1 = along(x, turn.points[1], turn.points[2]);
   turn.start = Complex(e1.x(), e1.y()) / Complex(e0.x(), e0.y());
@@ -101,9 +100,12 @@ class Unbending {
     objective_.elements.assign(given.all.begin(), given.all.begin() + given.triangles);
     for (std::size_t l = 0; l < joints.size(); ++l)
       for (std::size_t k = 0; k < joints[l].size(); ++k) {
-        if (ends_chain(roles[l][k])) add_chain_springs(joints[l], roles[l], k, chains_);
-        if (ends_chain(roles[l][k])) continue;
-        turns_.push_back(turn_at(joints[l][k], joints[l], x_));
+        if (ends_chain(roles[l][k])) {
+          // A chain begins at each of its path's chain ends but an open path's last.
+          if (joints[l][k].next >= 0) add_chain_springs(joints[l], roles[l], k, chains_);
+          continue;
+        }
+        turns_.push_back(turn_at(joints[l][k], x_));
         turns_.back().target = asked_ratio(joints[l][k], roles[l][k]);
       }
     add_wedges(roles, given);
@@ -181,14 +183,22 @@ class Unbending {
   // Wedges on their right side are elements from the start; for the others a spring turns the
   // vertex first. Bent joints have none: their turn is asked exactly.
   void add_wedges(const Roles& roles, const DomainElements& given) {
-    std::vector<const Joint*> joint_of(mesh_.vertex_count(), nullptr);
-    for (const auto& loop : joints_)
-      for (const Joint& joint : loop) joint_of[joint.vertex] = &joint;
+    std::vector<std::vector<const Joint*>> joints_at(mesh_.vertex_count());
+    for (const auto& path : joints_)
+      for (const Joint& joint : path)
+        if (joint.kind != JointKind::end) joints_at[joint.vertex].push_back(&joint);
     for (std::size_t e = given.triangles; e < given.all.size(); ++e) {
-      const Joint& joint = *joint_of[given.all[e].points[0]];
+      // Several paths meet in a branch point; elsewhere there is one joint.
+      const auto& choice = joints_at[given.all[e].points[0]];
+      const auto match = std::find_if(choice.begin(), choice.end(), [&](const Joint* joint) {
+        const auto& points = given.all[e].points;
+        return std::count(points.begin(), points.end(), joint->previous) > 0 &&
+               std::count(points.begin(), points.end(), joint->next) > 0;
+      });
+      const Joint& joint = match == choice.end() ? *choice.front() : **match;
       const Role role = roles[joint.loop][joint.position];
       if (role == Role::bent) continue;
-      Turn turn = turn_at(joint, joints_[joint.loop], x_);
+      Turn turn = turn_at(joint, x_);
       const bool on_tips = role == Role::anchor && joint.kind == JointKind::mild;
       const DomainElement wedge =
           on_tips ? over_neighbours(given.all[e], joint, turn) : given.all[e];
@@ -226,13 +236,11 @@ class Unbending {
   // |e0| |e1| at every boundary vertex.
   std::vector<double> local_lengths() const {
     std::vector<double> out(mesh_.vertex_count(), 1);
-    for (const auto& loop : joints_)
-      for (std::size_t k = 0; k < loop.size(); ++k) {
-        const std::size_t m = loop.size();
-        const int v = loop[k].vertex;
-        out[v] = along(x_, loop[(k + m - 1) % m].vertex, v).norm() *
-                 along(x_, v, loop[(k + 1) % m].vertex).norm();
-      }
+    for (const auto& path : joints_)
+      for (const Joint& joint : path)
+        if (joint.kind != JointKind::end)
+          out[joint.vertex] = along(x_, joint.previous, joint.vertex).norm() *
+                              along(x_, joint.vertex, joint.next).norm();
     return out;
   }
 

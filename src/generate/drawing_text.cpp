@@ -58,14 +58,15 @@ std::string svg_path(const Drawing& drawing) {
 std::string drawing_json(const Drawing& drawing) {
   std::string out = "[\n";
   for (std::size_t i = 0; i < drawing.curves.size(); ++i) {
-    const auto& [id, curve] = drawing.curves[i];
+    const auto& [id, curve, feature] = drawing.curves[i];
     std::string poles;
     for (const Point& p : curve.poles)
       poles += fmt::format("{}[{}, {}]", poles.empty() ? "" : ", ", p.x() + 0.0,
                            p.y() + 0.0);  // "-0" would be read as an integer: write plain zero
-    out += fmt::format(
-        R"({{"curve_id": {}, "type": "BezierCurve", "degree": {}, "poles": [{}]}}{})", json_id(id),
-        curve.degree(), poles, i + 1 < drawing.curves.size() ? ",\n" : "\n");
+    out +=
+        fmt::format(R"({{"curve_id": {}, "type": "BezierCurve", "degree": {}, "poles": [{}]{}}}{})",
+                    json_id(id), curve.degree(), poles, feature ? R"(, "feature": true)" : "",
+                    i + 1 < drawing.curves.size() ? ",\n" : "\n");
   }
   return out + "]\n";
 }

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
+#include <set>
 #include <utility>
 
 #include "mesh/split.h"
@@ -45,26 +44,35 @@ class Pass {
   bool was_cut(int t) const { return taken_[t]; }
 
   void apply(CurvedMesh& mesh) const {
-    std::vector<std::pair<int, int>> inner;
-    std::map<std::pair<int, int>, bool> boundary;
-    for (int edge : edges_) {
-      const MeshEdge& e = topology_.edges[edge];
-      if (e.triangle[1] >= 0)
-        inner.emplace_back(e.a, e.b);
-      else
-        boundary[{e.a, e.b}] = true;
-    }
-    std::vector<std::pair<int, int>>
-        places;  // from the last to the first: splits shift what follows
-    for (int l = static_cast<int>(mesh.loops.size()); l-- > 0;)
-      for (int k = static_cast<int>(mesh.loops[l].size()); k-- > 0;)
-        if (boundary.contains({mesh.loops[l][k].a, mesh.loops[l][k].b})) places.emplace_back(l, k);
+    std::set<std::pair<int, int>> left;  // of the chosen edges, those on no curve
+    for (int edge : edges_) left.insert(ends(topology_.edges[edge].a, topology_.edges[edge].b));
+    const auto loops = places_of(
+        mesh.loops.size(), left, [&](std::size_t l) -> auto& { return mesh.loops[l]; });
+    const auto features = places_of(
+        mesh.features.size(), left, [&](std::size_t l) -> auto& { return mesh.features[l].edges; });
     MeshSplitter splitter(mesh);
-    for (const auto& [a, b] : inner) splitter.split_edge(a, b);
-    for (const auto& [loop, index] : places) splitter.split_boundary_edge(loop, index);
+    for (const auto& [a, b] : left) splitter.split_edge(a, b);
+    for (const auto& [loop, index] : loops) splitter.split_boundary_edge(loop, index);
+    for (const auto& [line, index] : features) splitter.split_feature_edge(line, index);
   }
 
  private:
+  static std::pair<int, int> ends(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+  // Takes the edges on these paths out of `chosen`; their places from the last to the first, since
+  // a split shifts what follows.
+  template <class EdgesOf>
+  static std::vector<std::pair<int, int>> places_of(std::size_t paths,
+                                                    std::set<std::pair<int, int>>& chosen,
+                                                    const EdgesOf& edges_of) {
+    std::vector<std::pair<int, int>> places;
+    for (std::size_t l = paths; l-- > 0;)
+      for (std::size_t k = edges_of(l).size(); k-- > 0;)
+        if (chosen.erase(ends(edges_of(l)[k].a, edges_of(l)[k].b)))
+          places.emplace_back(static_cast<int>(l), static_cast<int>(k));
+    return places;
+  }
+
   double length(int edge) const {
     const MeshEdge& e = topology_.edges[edge];
     return (mesh_.domain[e.a] - mesh_.domain[e.b]).norm() *

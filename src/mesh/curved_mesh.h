@@ -18,6 +18,14 @@ struct BoundaryEdge {
   double t0 = 0, t1 = 1;
 };
 
+/// Edges inside the region that lie on feature curves and follow one another: between two ends
+/// (branch points or dangling ends), or closed. BoundaryEdge serves for them too; the interior lies
+/// on both sides.
+struct FeatureLine {
+  std::vector<BoundaryEdge> edges;
+  bool closed = false;
+};
+
 /// One region's mesh in the normalised frame. `control[v]` for v < vertex count is the image of
 /// vertex v; the control points of edges (n-1 each) and triangle interiors follow, each stored
 /// once, in no promised order.
@@ -28,7 +36,8 @@ struct CurvedMesh {
   std::vector<Point> control;                    ///< T: all control points
   std::vector<int> nets;                         ///< flat: triangle t's ids start at t * net_size
   std::vector<std::vector<BoundaryEdge>> loops;  ///< loop 0 is the outer one; each in loop order
-  std::vector<char> warped;                      ///< per triangle: is its map not the identity?
+  std::vector<FeatureLine> features;
+  std::vector<char> warped;  ///< per triangle: is its map not the identity?
 
   int net_size() const { return (degree + 1) * (degree + 2) / 2; }
   int vertex_count() const { return static_cast<int>(domain.size()); }

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "bernstein/curve.h"
@@ -29,9 +30,9 @@ using meshing::WarpSegment;
 // piece of its map, edge control points are made once per edge.
 class Assembler {
  public:
-  Assembler(const MeshInput& input, const std::vector<std::vector<WarpSegment>>& layer,
-            const StraightMesh& straight)
-      : input_(input), layer_(layer), straight_(straight) {
+  Assembler(const MeshInput& input, const meshing::Walks& walks,
+            const std::vector<std::vector<WarpSegment>>& layer, const StraightMesh& straight)
+      : input_(input), walks_(walks), straight_(straight) {
     for (const auto& loop : layer)
       for (const WarpSegment& s : loop) segments_.push_back(&s);
   }
@@ -42,7 +43,7 @@ class Assembler {
     mesh_.triangles = straight_.triangles;
     mesh_.warped.assign(mesh_.triangles.size(), 0);
     mesh_.nets.assign(mesh_.triangles.size() * mesh_.net_size(), -1);
-    make_boundary();
+    make_curve_edges();
     map_vertices();
     // Unwarped triangles first: along inner edges both maps are linear, and theirs without
     // rounding.
@@ -53,22 +54,29 @@ class Assembler {
   }
 
  private:
-  // Boundary edges hold the curve's own control points, exact and rounded once.
-  void make_boundary() {
-    int flat = 0;
-    for (const auto& loop : layer_) {
-      auto& edges = mesh_.loops.emplace_back();
-      for (const WarpSegment& s : loop) {
-        const auto& chord = straight_.chords[flat++];
-        for (std::size_t k = 0; k + 1 < chord.size(); ++k)
-          edges.push_back(make_boundary_edge(s, chord[k], chord[k + 1]));
-      }
+  // Edges on curves hold the curve's own control points, exact and rounded once. Loops and features
+  // are put together from the walks' pieces: (path, position, s0) is the order along a path.
+  void make_curve_edges() {
+    std::map<std::tuple<bool, int, int, double>, int> pieces;
+    for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
+      const meshing::WalkStep& step = walks_[segments_[i]->loop][segments_[i]->source];
+      if (step.forward) pieces[{step.feature, step.path, step.position, segments_[i]->s0}] = i;
+    }
+    mesh_.loops.resize(input_.loops.size());
+    for (const FeatureInput& feature : input_.features)
+      mesh_.features.push_back({{}, feature.closed});
+    for (const auto& [key, i] : pieces) {
+      const auto& [feature, path, position, s0] = key;
+      auto& edges = feature ? mesh_.features[path].edges : mesh_.loops[path];
+      const auto& chord = straight_.chords[i];
+      for (std::size_t k = 0; k + 1 < chord.size(); ++k)
+        edges.push_back(make_curve_edge(*segments_[i], chord[k], chord[k + 1]));
     }
   }
 
-  BoundaryEdge make_boundary_edge(const WarpSegment& s, const ChordVertex& from,
-                                  const ChordVertex& to) {
-    const LoopCurve& source = input_.loops[s.loop][s.source];
+  BoundaryEdge make_curve_edge(const WarpSegment& s, const ChordVertex& from,
+                               const ChordVertex& to) {
+    const LoopCurve& source = walks_[s.loop][s.source].curve;
     const double s0 = s.s0 + (s.s1 - s.s0) * from.s, s1 = s.s0 + (s.s1 - s.s0) * to.s;
     const BezierCurve piece =
         from.s == 0 && to.s == 1 ? s.curve : restrict_exactly(source.bezier, s0, s1, input_.degree);
@@ -179,7 +187,7 @@ class Assembler {
   }
 
   const MeshInput& input_;
-  const std::vector<std::vector<WarpSegment>>& layer_;
+  const meshing::Walks& walks_;
   const StraightMesh& straight_;
   std::vector<const WarpSegment*> segments_;
   std::map<std::array<int, 2>, std::vector<int>> edges_;  // from the smaller to the larger vertex
@@ -197,15 +205,17 @@ struct Straight {
 };
 
 // Nothing if the usual way needs too many triangles; then `report` says so.
-std::optional<Straight> usual_straight(const MeshInput& input, double mips_bound,
-                                       MeshReport& report) {
+std::optional<Straight> usual_straight(const MeshInput& input, const meshing::Walks& walks,
+                                       double mips_bound, MeshReport& report) {
   const meshing::Thrift thrift = meshing::usual_thrift();
-  auto layer = meshing::build_warp_layer(input, mips_bound, thrift, kManySegments, report);
+  auto layer =
+      meshing::build_warp_layer(walks, input.degree, mips_bound, thrift, kManySegments, report);
   std::string many = fmt::format("over {} warp triangles", kManySegments);
   if (layer) {
     StraightMesh mesh = meshing::triangulate_layer(*layer, thrift);
     std::size_t curves = 0;
     for (const auto& loop : input.loops) curves += loop.size();
+    for (const auto& line : input.features) curves += line.curves.size();
     if (mesh.triangles.size() <= std::max(kManyTriangles, kManyPerCurve * curves))
       return Straight{std::move(*layer), std::move(mesh)};
     many = fmt::format("{} triangles for {} curves", mesh.triangles.size(), curves);
@@ -215,9 +225,10 @@ std::optional<Straight> usual_straight(const MeshInput& input, double mips_bound
   return std::nullopt;
 }
 
-Straight strict_straight(const MeshInput& input, double mips_bound, MeshReport& report) {
+Straight strict_straight(const MeshInput& input, const meshing::Walks& walks, double mips_bound,
+                         MeshReport& report) {
   const meshing::Thrift thrift = meshing::strict_thrift();
-  auto layer = meshing::build_warp_layer(input, mips_bound, thrift, SIZE_MAX, report);
+  auto layer = meshing::build_warp_layer(walks, input.degree, mips_bound, thrift, SIZE_MAX, report);
   StraightMesh mesh = meshing::triangulate_layer(*layer, thrift);
   return {std::move(*layer), std::move(mesh)};
 }
@@ -233,9 +244,10 @@ double largest_bound(const CurvedMesh& mesh) {
 CurvedMesh initial_mesh(const MeshInput& input, const MeshOptions& options, MeshReport& report) {
   report = {};
   if (input.loops.empty() || input.degree < 1) throw std::invalid_argument("nothing to mesh");
-  auto straight = usual_straight(input, options.mips_bound, report);
-  if (!straight) straight = strict_straight(input, options.mips_bound, report);
-  CurvedMesh mesh = Assembler(input, straight->layer, straight->mesh).assemble();
+  const meshing::Walks walks = meshing::walks_of(input);
+  auto straight = usual_straight(input, walks, options.mips_bound, report);
+  if (!straight) straight = strict_straight(input, walks, options.mips_bound, report);
+  CurvedMesh mesh = Assembler(input, walks, straight->layer, straight->mesh).assemble();
   guard_boundary(mesh);
   report.mips_bound = largest_bound(mesh);
   return mesh;

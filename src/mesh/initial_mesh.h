@@ -17,11 +17,18 @@ struct LoopCurve {
   bool reversed = false;
 };
 
+/// Feature curves that follow one another between two ends, or closed (see FeaturePath).
+struct FeatureInput {
+  std::vector<LoopCurve> curves;
+  bool closed = false;
+};
+
 /// One region to mesh: loops[0] counter-clockwise, the others clockwise; curve ends agree bit for
-/// bit.
+/// bit, those of features too.
 struct MeshInput {
   int degree = 3;
   std::vector<std::vector<LoopCurve>> loops;
+  std::vector<FeatureInput> features;
 };
 
 struct MeshOptions {

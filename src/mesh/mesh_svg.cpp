@@ -36,7 +36,8 @@ std::string edge_path(const Page& page, const std::vector<Point>& poles) {
 }
 
 std::string draw_curved(const CurvedMesh& mesh, const MeshTopology& topology, const Page& page) {
-  std::string fill, inner, boundary;
+  const std::vector<char> feature = feature_flags(mesh, topology);
+  std::string fill, inner, curves;
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     std::string path = page.op('M', mesh.control[mesh.triangles[t][0]]);
     for (int k : {2, 0, 1}) {
@@ -46,38 +47,42 @@ std::string draw_curved(const CurvedMesh& mesh, const MeshTopology& topology, co
       path += side;
       const MeshEdge& e = topology.edges[topology.triangle_edges[t][k]];
       if (e.triangle[0] == t)
-        (e.triangle[1] < 0 ? boundary : inner) += page.op('M', poles.front()) + side;
+        (e.triangle[1] < 0 || feature[topology.triangle_edges[t][k]] ? curves : inner) +=
+            page.op('M', poles.front()) + side;
     }
     if (mesh.warped[t]) fill += path + "Z";
   }
   return fmt::format(
       "<path fill='#fc9' stroke='none' d='{}'/><path fill='none' stroke='#777' "
       "stroke-width='0.5' d='{}'/><path fill='none' stroke='#c00' d='{}'/>\n",
-      fill, inner, boundary);
+      fill, inner, curves);
 }
 
 std::string draw_straight(const CurvedMesh& mesh, const MeshTopology& topology, const Page& page) {
-  std::string fill, inner, boundary;
+  const std::vector<char> feature = feature_flags(mesh, topology);
+  std::string fill, inner, curves;
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     if (!mesh.warped[t]) continue;
     const auto& v = mesh.triangles[t];
     fill += page.op('M', mesh.domain[v[0]]) + page.op('L', mesh.domain[v[1]]) + "L" +
             page.at(mesh.domain[v[2]]) + "Z";
   }
-  for (const MeshEdge& e : topology.edges)
-    (e.triangle[1] < 0 ? boundary : inner) +=
+  for (std::size_t k = 0; k < topology.edges.size(); ++k) {
+    const MeshEdge& e = topology.edges[k];
+    (e.triangle[1] < 0 || feature[k] ? curves : inner) +=
         page.op('M', mesh.domain[e.a]) + page.op('L', mesh.domain[e.b]);
+  }
   return fmt::format(
       "<path fill='#fc9' stroke='none' d='{}'/><path fill='none' stroke='#777' "
       "stroke-width='0.5' d='{}'/><path fill='none' stroke='#c00' d='{}'/>\n",
-      fill, inner, boundary);
+      fill, inner, curves);
 }
 
-std::string draw_dots(const CurvedMesh& mesh, const MeshTopology& topology, const Page& page,
-                      const std::vector<Point>& points) {
+std::string draw_dots(const CurvedMesh& mesh, const Page& page, const std::vector<Point>& points) {
+  const std::vector<char> on_curve = on_curves(mesh);
   std::string dots;
   for (int v = 0; v < mesh.vertex_count(); ++v)
-    if (topology.on_boundary[v]) dots += page.op('M', points[v]) + "h0";
+    if (on_curve[v]) dots += page.op('M', points[v]) + "h0";
   return fmt::format("<path stroke='#000' stroke-width='3' stroke-linecap='round' d='{}'/>\n",
                      dots);
 }
@@ -94,9 +99,8 @@ std::string mesh_svg(const CurvedMesh& mesh) {
              "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {} {}'>\n"
              "<rect width='100%' height='100%' fill='#fff'/>\n",
              2 * kSize, kSize) +
-         draw_curved(mesh, topology, shape) + draw_dots(mesh, topology, shape, mesh.control) +
-         draw_straight(mesh, topology, domain) + draw_dots(mesh, topology, domain, mesh.domain) +
-         "</svg>\n";
+         draw_curved(mesh, topology, shape) + draw_dots(mesh, shape, mesh.control) +
+         draw_straight(mesh, topology, domain) + draw_dots(mesh, domain, mesh.domain) + "</svg>\n";
 }
 
 }  // namespace c1mesh

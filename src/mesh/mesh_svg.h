@@ -9,7 +9,7 @@
 namespace c1mesh {
 
 /// An SVG document with the curved mesh T on the left and the straight mesh T^ on the right, 800
-/// units each; warped triangles are tinted, boundary edges and vertices are dark. Edges of T are
+/// units each; warped triangles are tinted, edges and vertices on curves stand out. Edges of T are
 /// drawn exactly up to degree 3 and by 16 chords above.
 std::string mesh_svg(const CurvedMesh& mesh);
 

@@ -18,7 +18,9 @@ class UniformRefiner {
     for (const MeshEdge& e : topology_.edges) add_middle(e);
     for (const MeshEdge& e : topology_.edges) add_halves(e);
     for (int t = 0; t < old_.triangle_count(); ++t) add_parts(t);
-    for (const auto& loop : old_.loops) add_loop(loop);
+    for (const auto& loop : old_.loops) new_.loops.push_back(halved(loop));
+    for (const FeatureLine& line : old_.features)
+      new_.features.push_back({halved(line.edges), line.closed});
     return std::move(new_);
   }
 
@@ -109,14 +111,15 @@ class UniformRefiner {
                  restrict_net(whole, n, middle[0], middle[1], middle[2]));
   }
 
-  void add_loop(const std::vector<BoundaryEdge>& loop) {
-    auto& out = new_.loops.emplace_back();
-    for (const BoundaryEdge& whole : loop) {
+  std::vector<BoundaryEdge> halved(const std::vector<BoundaryEdge>& edges) const {
+    std::vector<BoundaryEdge> out;
+    for (const BoundaryEdge& whole : edges) {
       const int middle = old_.vertex_count() + edge_at(whole.a, whole.b);
       const double t = 0.5 * (whole.t0 + whole.t1);
       out.push_back({whole.a, middle, whole.curve, whole.t0, t});
       out.push_back({middle, whole.b, whole.curve, t, whole.t1});
     }
+    return out;
   }
 
   int edge_at(int a, int b) const {

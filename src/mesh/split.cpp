@@ -38,6 +38,15 @@ std::array<std::vector<Point>, 2> halves(std::vector<Point> p, double t) {
   return out;
 }
 
+// The edge that was split at the middle of its parameters becomes two.
+void halve_curve_edge(std::vector<BoundaryEdge>& edges, int index, int middle) {
+  const BoundaryEdge whole = edges[index];
+  const double t_middle = 0.5 * (whole.t0 + whole.t1);
+  edges[index].b = middle;
+  edges[index].t1 = t_middle;
+  edges.insert(edges.begin() + index + 1, {middle, whole.b, whole.curve, t_middle, whole.t1});
+}
+
 }  // namespace
 
 MeshSplitter::MeshSplitter(CurvedMesh& mesh) : mesh_(mesh) {
@@ -210,10 +219,15 @@ int MeshSplitter::split_boundary_edge(int loop, int index) {
   int middle = -1;
   const auto parts = split_edge_points(t, whole.a, whole.b, 0.5, middle);
   split_side(t, before, whole.a, whole.b, 0.5, middle, parts);
-  const double t_middle = 0.5 * (whole.t0 + whole.t1);
-  edges[index].b = middle;
-  edges[index].t1 = t_middle;
-  edges.insert(edges.begin() + index + 1, {middle, whole.b, whole.curve, t_middle, whole.t1});
+  halve_curve_edge(edges, index, middle);
+  return middle;
+}
+
+int MeshSplitter::split_feature_edge(int line, int index) {
+  auto& edges = mesh_.features.at(line).edges;
+  const BoundaryEdge whole = edges.at(index);
+  const int middle = split_edge(whole.a, whole.b);
+  halve_curve_edge(edges, index, middle);
   return middle;
 }
 
@@ -249,6 +263,10 @@ int split_edge(CurvedMesh& mesh, int a, int b, double t) {
 
 int split_boundary_edge(CurvedMesh& mesh, int loop, int index) {
   return MeshSplitter(mesh).split_boundary_edge(loop, index);
+}
+
+int split_feature_edge(CurvedMesh& mesh, int line, int index) {
+  return MeshSplitter(mesh).split_feature_edge(line, index);
 }
 
 int clough_tocher_split(CurvedMesh& mesh, int triangle) {

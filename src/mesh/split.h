@@ -21,11 +21,13 @@ class MeshSplitter {
   MeshSplitter(const MeshSplitter&) = delete;
   MeshSplitter& operator=(const MeshSplitter&) = delete;
 
-  /// Splits the interior edge a, b at t (from a); returns the new vertex.
+  /// Splits the interior edge a, b at t (from a); returns the new vertex. Not for feature edges.
   int split_edge(int a, int b, double t = 0.5);
   /// Splits loops[loop][index] at the middle of its curve parameters; returns the new vertex. The
   /// two halves' control points are de Casteljau's, a few roundings from the curve's.
   int split_boundary_edge(int loop, int index);
+  /// The same for features[line].edges[index], in the triangles on both sides.
+  int split_feature_edge(int line, int index);
   /// Splits triangle t into three at a point strictly inside; returns the new vertex.
   int split_triangle(int t, const Barycentric& where);
   void finish();
@@ -57,9 +59,10 @@ class MeshSplitter {
 /// One split of each kind; cost linear in the mesh.
 int split_edge(CurvedMesh& mesh, int a, int b, double t = 0.5);
 int split_boundary_edge(CurvedMesh& mesh, int loop, int index);
+int split_feature_edge(CurvedMesh& mesh, int line, int index);
 /// Splits the triangle at its centroid (domain) into three; returns the new vertex.
 int clough_tocher_split(CurvedMesh& mesh, int triangle);
-/// Splits every triangle into four at the middles of its edges, boundary edges too (new t exact).
+/// Splits every triangle into four at the middles of its edges, those on curves too (new t exact).
 /// Triangle t becomes 4 t (corner 0), 4 t + 1, 4 t + 2, 4 t + 3 (middle).
 void refine_uniform(CurvedMesh& mesh);
 

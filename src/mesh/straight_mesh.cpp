@@ -41,10 +41,6 @@ class Builder {
   }
 
  private:
-  int next_in_ring(const Ring& ring, int i) const {
-    return ring.first + (i - ring.first + 1) % ring.count;
-  }
-
   Vertex insert(const Point& p) {
     const Vertex v = cdt_.insert(KernelPoint(p.x(), p.y()), hint_);
     v->info().number = static_cast<int>(mesh_.points.size());
@@ -55,27 +51,27 @@ class Builder {
   }
 
   void insert_points() {
-    for (const WarpSegment* s : segments_) starts_.push_back(insert(s->curve.start()));
+    for (const WarpSegment* s : segments_)
+      if (s->start == static_cast<int>(corners_.size()))
+        corners_.push_back(insert(s->curve.start()));
     for (const WarpSegment* s : segments_)
       apexes_.push_back(s->straight ? Vertex() : insert(s->apex));
     if (cdt_.number_of_vertices() != mesh_.points.size())
       throw std::runtime_error("two boundary points coincide");
     for (const Ring& ring : rings_)
       for (int i = ring.first; i < ring.first + ring.count; ++i) {
-        const int j = next_in_ring(ring, i);
-        for (Vertex v : {starts_[i], starts_[j]})
-          v->info().lines.push_back(line_of(i, Side::chord));
+        const Vertex a = corners_[segments_[i]->start], b = corners_[segments_[i]->end];
+        for (Vertex v : {a, b}) v->info().lines.push_back(line_of(i, Side::chord));
         if (segments_[i]->straight) continue;
-        for (Vertex v : {starts_[i], apexes_[i]}) v->info().lines.push_back(line_of(i, Side::left));
-        for (Vertex v : {apexes_[i], starts_[j]})
-          v->info().lines.push_back(line_of(i, Side::right));
+        for (Vertex v : {a, apexes_[i]}) v->info().lines.push_back(line_of(i, Side::left));
+        for (Vertex v : {apexes_[i], b}) v->info().lines.push_back(line_of(i, Side::right));
       }
   }
 
   void insert_constraints() {
     for (const Ring& ring : rings_)
       for (int i = ring.first; i < ring.first + ring.count; ++i) {
-        const Vertex a = starts_[i], b = starts_[next_in_ring(ring, i)];
+        const Vertex a = corners_[segments_[i]->start], b = corners_[segments_[i]->end];
         cdt_.insert_constraint(a, b);
         if (segments_[i]->straight) continue;
         cdt_.insert_constraint(a, apexes_[i]);
@@ -88,7 +84,7 @@ class Builder {
     std::vector<Face> stack;
     for (const Ring& ring : rings_)
       for (int i = ring.first; i < ring.first + ring.count; ++i) {
-        const Vertex a = starts_[i], b = starts_[next_in_ring(ring, i)];
+        const Vertex a = corners_[segments_[i]->start], b = corners_[segments_[i]->end];
         Face face;
         int k;
         if (!cdt_.is_edge(a, b, face, k)) throw std::runtime_error("a chord is not an edge");
@@ -106,12 +102,12 @@ class Builder {
     }
   }
 
-  // Before refinement the chords are the edges between successive start points.
+  // Before refinement the chords are the constraints between end points of segments.
   bool is_chord(Face face, int k) const {
     if (!face->is_constrained(k)) return false;
     const int a = face->vertex(Triangulation::ccw(k))->info().number;
     const int b = face->vertex(Triangulation::cw(k))->info().number;
-    return std::max(a, b) < static_cast<int>(segments_.size());
+    return std::max(a, b) < static_cast<int>(corners_.size());
   }
 
   // Steiner points in the order of their coordinates: no trace of the library's containers is left.
@@ -150,18 +146,44 @@ class Builder {
           next[from] = mesh_.triangles[t][(k + 2) % 3];
         }
     mesh_.chords.resize(segments_.size());
+    trace_features();
     for (const Ring& ring : rings_)
       for (int i = ring.first; i < ring.first + ring.count; ++i) {
-        const int last = next_in_ring(ring, i);
+        if (segments_[i]->twin >= 0) continue;
+        const int first = segments_[i]->start, last = segments_[i]->end;
         auto& chord = mesh_.chords[i];
-        chord.push_back({i, 0.0});
-        for (int v = next[i]; v != last; v = next[v]) {
+        chord.push_back({first, 0.0});
+        for (int v = next[first]; v != last; v = next[v]) {
           if (v < 0 || vertices_[v]->info().lines != std::vector<int>{line_of(i, Side::chord)})
             throw std::runtime_error("a chord is not covered by edges");
           chord.push_back({v, vertices_[v]->info().s});
         }
         chord.push_back({last, 1.0});
       }
+  }
+
+  // A feature's Steiner points have parameters of the side of lower number.
+  void trace_features() {
+    for (std::size_t v = corners_.size(); v < vertices_.size(); ++v) {
+      const VertexInfo& info = vertices_[v]->info();
+      if (info.lines.size() == 2 && segments_[info.lines[0] / 3]->twin == info.lines[1] / 3)
+        mesh_.chords[std::min(info.lines[0], info.lines[1]) / 3].push_back(
+            {static_cast<int>(v), info.s});
+    }
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      const WarpSegment& s = *segments_[i];
+      if (s.twin < static_cast<int>(i)) continue;
+      auto& chord = mesh_.chords[i];
+      chord.push_back({s.start, 0.0});
+      chord.push_back({s.end, 1.0});
+      std::sort(chord.begin(), chord.end(),
+                [](const ChordVertex& a, const ChordVertex& b) { return a.s < b.s; });
+      for (std::size_t k = 0; k + 1 < chord.size(); ++k)
+        if (!cdt_.is_edge(vertices_[chord[k].vertex], vertices_[chord[k + 1].vertex]))
+          throw std::runtime_error("a feature's chord is not covered by edges");
+      for (auto c = chord.rbegin(); c != chord.rend(); ++c)
+        mesh_.chords[s.twin].push_back({c->vertex, 1 - c->s});
+    }
   }
 
   void sort_triangles() {
@@ -179,7 +201,7 @@ class Builder {
   const Thrift& thrift_;
   std::vector<const WarpSegment*> segments_;
   std::vector<Ring> rings_;
-  std::vector<Vertex> starts_, apexes_;
+  std::vector<Vertex> corners_, apexes_;  // by point; by segment
   Triangulation cdt_;
   Face hint_;
   std::vector<Vertex> vertices_;  // by number

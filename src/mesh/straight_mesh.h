@@ -16,7 +16,7 @@ struct ChordVertex {
   double s = 0;
 };
 
-/// Vertices 0 … segments - 1 are the segments' start points (all loops in order), then the apexes
+/// Vertices are first the segments' end points (WarpSegment::start), then the apexes
 /// of the warped segments, then Steiner points sorted by coordinates.
 struct StraightMesh {
   std::vector<Point> points;

@@ -205,13 +205,16 @@ class Refiner {
     int line = -1;
     for (int l : a->info().lines)
       if (std::count(b->info().lines.begin(), b->info().lines.end(), l)) line = l;
+    const int other_side = is_chord(line) ? segments_[line / 3]->twin : -1;
+    if (other_side >= 0) line = line_of(std::min(line / 3, other_side), Side::chord);
     const auto [p, s] = middle_of(line, a, b);
     if (!is_clear(f, p, size) || !is_clear(f->neighbor(k), p, size)) return;
     const Vertex v = cdt_.insert(KernelPoint(p.x(), p.y()), Triangulation::EDGE, f, k);
     v->info().lines = {line};
     v->info().s = s;
     v->info().size = size;
-    if (is_chord(line))
+    if (other_side >= 0) v->info().lines.push_back(line_of(segments_[line / 3]->twin, Side::chord));
+    if (is_chord(line) && other_side < 0)
       adopt_half_star(v, s_on(a, line) < s_on(b, line) ? a : b);
     else
       adopt_star(v);
@@ -267,10 +270,10 @@ class Refiner {
     return true;
   }
 
-  // Start points of segments are numbered like them: 0 at their own chord, 1 at the one before.
+  // Only Steiner points have no number yet.
   double s_on(Vertex v, int line) const {
-    if (v->info().lines.size() == 1) return v->info().s;
-    return v->info().number == line / 3 ? 0 : 1;
+    if (v->info().number < 0) return v->info().s;
+    return v->info().number == segments_[line / 3]->start ? 0 : 1;
   }
 
   // On chords the middle in s, which stays dyadic; straight segments' points lie on the curve.
@@ -311,8 +314,9 @@ class Refiner {
     return std::any_of(v->info().lines.begin(), v->info().lines.end(), is_chord);
   }
 
-  // An unconstrained edge between two boundary vertices would have to be split later (see guard.h):
-  // better now, while Delaunay flips can make the most of the new vertex. False if there was none.
+  // An unconstrained edge between two vertices of boundary or features would have to be split later
+  // (see guard.h): better now, while Delaunay flips can make the most of the new vertex. False if
+  // there was none.
   bool separate_boundary(long& budget) {
     // By faces: the library's edge iterator goes by addresses, which differ from run to run. Each
     // edge is met from both sides; the second time it is gone.

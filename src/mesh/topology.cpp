@@ -69,6 +69,26 @@ MeshTopology::MeshTopology(const CurvedMesh& mesh) {
   }
 }
 
+std::vector<char> feature_flags(const CurvedMesh& mesh, const MeshTopology& topology) {
+  std::vector<char> out(topology.edges.size(), 0);
+  for (const FeatureLine& line : mesh.features)
+    for (const BoundaryEdge& f : line.edges)
+      for (const int t : topology.vertex_triangles[f.a])
+        for (const int e : topology.triangle_edges[t])
+          if (std::minmax(topology.edges[e].a, topology.edges[e].b) == std::minmax(f.a, f.b))
+            out[e] = 1;
+  return out;
+}
+
+std::vector<char> on_curves(const CurvedMesh& mesh) {
+  std::vector<char> out(mesh.domain.size(), 0);
+  for (const auto& loop : mesh.loops)
+    for (const BoundaryEdge& e : loop) out[e.a] = out[e.b] = 1;
+  for (const FeatureLine& line : mesh.features)
+    for (const BoundaryEdge& e : line.edges) out[e.a] = out[e.b] = 1;
+  return out;
+}
+
 std::vector<int> edge_controls(const CurvedMesh& mesh, int t, int k) {
   const int n = mesh.degree;
   std::vector<int> ids(n + 1);
@@ -189,6 +209,34 @@ void check_loops(const CurvedMesh& mesh, const MeshTopology& topology,
     wrong.push_back("the loops are not the edges that have one triangle");
 }
 
+// Feature edges are interior edges, each on one feature, and follow one another.
+void check_features(const CurvedMesh& mesh, const MeshTopology& topology,
+                    std::vector<std::string>& wrong) {
+  std::vector<std::array<int, 2>> interior, seen;
+  for (const MeshEdge& e : topology.edges)
+    if (e.triangle[1] >= 0) interior.push_back({std::min(e.a, e.b), std::max(e.a, e.b)});
+  std::sort(interior.begin(), interior.end());
+  for (std::size_t f = 0; f < mesh.features.size(); ++f) {
+    const auto& edges = mesh.features[f].edges;
+    if (edges.empty()) wrong.push_back(fmt::format("feature {}: no edges", f));
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const std::array<int, 2> key{std::min(edges[i].a, edges[i].b),
+                                   std::max(edges[i].a, edges[i].b)};
+      if (!std::binary_search(interior.begin(), interior.end(), key))
+        wrong.push_back(fmt::format("feature {}: edge {} is no interior edge", f, i));
+      if (edges[i].curve < 0 || edges[i].t0 == edges[i].t1)
+        wrong.push_back(fmt::format("feature {}: edge {} lies on no curve", f, i));
+      const bool last = i + 1 == edges.size();
+      if ((!last || mesh.features[f].closed) && edges[i].b != edges[last ? 0 : i + 1].a)
+        wrong.push_back(fmt::format("feature {}: edge {} does not meet the next one", f, i));
+      seen.push_back(key);
+    }
+  }
+  std::sort(seen.begin(), seen.end());
+  if (std::adjacent_find(seen.begin(), seen.end()) != seen.end())
+    wrong.push_back("an edge lies on two features");
+}
+
 void check_connected(const CurvedMesh& mesh, const MeshTopology& topology,
                      std::vector<std::string>& wrong) {
   std::vector<int> root(mesh.domain.size());
@@ -219,6 +267,7 @@ std::vector<std::string> check_mesh(const CurvedMesh& mesh) {
   check_edges(mesh, topology, wrong);
   check_fans(mesh, topology, wrong);
   check_loops(mesh, topology, wrong);
+  check_features(mesh, topology, wrong);
   check_connected(mesh, topology, wrong);
   return wrong;
 }

@@ -30,6 +30,12 @@ struct MeshTopology {
   explicit MeshTopology(const CurvedMesh& mesh);
 };
 
+/// Per edge of the topology: does it lie on a feature?
+std::vector<char> feature_flags(const CurvedMesh& mesh, const MeshTopology& topology);
+
+/// Per vertex: does it lie on the boundary or on a feature?
+std::vector<char> on_curves(const CurvedMesh& mesh);
+
 /// The control ids of triangle t's edge opposite corner k, from corner k+1 to corner k+2 (mod 3):
 /// degree + 1 ids, ends included.
 std::vector<int> edge_controls(const CurvedMesh& mesh, int t, int k);

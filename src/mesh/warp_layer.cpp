@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -28,6 +29,7 @@ constexpr int kMaxDepth = 44;    // s stays exact in a double with room for late
 struct Node {
   WarpSegment segment;
   int next = -1, previous = -1;
+  int twin = -1;  // the same piece of a feature from its other side
   double wished_shrink = 1;
   bool wished_split = false;
   bool changed = true;
@@ -35,12 +37,19 @@ struct Node {
 
 class Layer {
  public:
-  Layer(const MeshInput& input, double mips_bound, const Thrift& thrift, MeshReport& report)
-      : input_(input), bound_(mips_bound), thrift_(thrift), report_(report) {}
+  Layer(const Walks& walks, int degree, double mips_bound, const Thrift& thrift, MeshReport& report)
+      : walks_(walks), degree_(degree), bound_(mips_bound), thrift_(thrift), report_(report) {
+    for (const auto& walk : walks_)
+      for (const WalkStep& step : walk) {
+        points_ = std::max({points_, step.start + 1, step.end + 1});
+        features_ |= step.feature;
+      }
+  }
 
   /// False if more than `limit` segments would be needed.
   bool build(std::size_t limit) {
-    for (std::size_t k = 0; k < input_.loops.size(); ++k) add_loop(static_cast<int>(k));
+    for (std::size_t k = 0; k < walks_.size(); ++k) add_loop(static_cast<int>(k));
+    if (features_) start_with_features();
     while (nodes_.size() <= limit)
       if (!resolve_conflicts()) return true;
     return false;
@@ -58,10 +67,32 @@ class Layer {
       } while (i != first);
       loops.push_back(std::move(loop));
     }
+    number(loops);
     return loops;
   }
 
  private:
+  // Twins by flat number, points by first appearance.
+  void number(std::vector<std::vector<WarpSegment>>& loops) const {
+    std::vector<int> flat(nodes_.size(), -1), point(points_, -1);
+    int count = 0, points = 0;
+    for (int first : first_) {
+      int i = first;
+      do flat[i] = count++;
+      while ((i = nodes_[i].next) != first);
+    }
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+      int i = first_[l];
+      for (WarpSegment& s : loops[l]) {
+        if (nodes_[i].twin >= 0) s.twin = flat[nodes_[i].twin];
+        if (point[s.start] < 0) point[s.start] = points++;
+        i = nodes_[i].next;
+      }
+    }
+    for (auto& loop : loops)
+      for (WarpSegment& s : loop) s.start = point[s.start], s.end = point[s.end];
+  }
+
   double impatience(int depth) const {
     return std::pow(thrift_.impatience, std::max(0, depth - thrift_.patient_depth));
   }
@@ -71,20 +102,22 @@ class Layer {
   }
 
   BezierCurve piece(const WarpSegment& s) const {
-    const BezierCurve& whole = input_.loops[s.loop][s.source].bezier;
+    const BezierCurve& whole = walks_[s.loop][s.source].curve.bezier;
     if (s.s0 == 0 && s.s1 == 1) return whole;
-    return restrict_exactly(whole, s.s0, s.s1, input_.degree);
+    return restrict_exactly(whole, s.s0, s.s1, degree_);
   }
 
   void add_loop(int loop) {
-    const auto& curves = input_.loops[loop];
-    const int first = static_cast<int>(nodes_.size()), count = static_cast<int>(curves.size());
+    const auto& steps = walks_[loop];
+    const int first = static_cast<int>(nodes_.size()), count = static_cast<int>(steps.size());
     for (int i = 0; i < count; ++i) {
       Node node;
       WarpSegment& s = node.segment;
       s.loop = loop;
       s.source = i;
-      s.curve = curves[i].bezier;
+      s.curve = steps[i].curve.bezier;
+      s.start = steps[i].start;
+      s.end = steps[i].end;
       s.straight = is_straight(s.curve);
       node.next = first + (i + 1) % count;
       node.previous = first + (i + count - 1) % count;
@@ -92,17 +125,59 @@ class Layer {
     }
     first_.push_back(first);
     for (int i = first; i < first + count; ++i) set_joints(i);
+    if (features_) return;
     make_three(first);
+    pending_.clear();
     for (int i = first; i < static_cast<int>(nodes_.size()); ++i) pending_.push_back(i);
     settle();
+  }
+
+  // The sides of a feature may belong to two walks: all must be there before anything is halved.
+  void start_with_features() {
+    for (std::size_t k = 0; k < walks_.size(); ++k)
+      for (const WalkStep& step : walks_[k])
+        if (step.twin_walk >= 0)
+          nodes_[first_[k] + step.index].twin = first_[step.twin_walk] + step.twin_index;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) set_joints(static_cast<int>(i));
+    make_simple();
+    pending_.clear();
+    for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) pending_.push_back(i);
+    settle();
+  }
+
+  // No two pieces may have the same two ends: their chords would be one.
+  void make_simple() {
+    while (true) {
+      std::map<std::pair<int, int>, std::vector<int>> between;
+      for (int i = 0; i < static_cast<int>(nodes_.size()); ++i)
+        if (nodes_[i].twin < 0 || i < nodes_[i].twin)
+          between[std::minmax(nodes_[i].segment.start, nodes_[i].segment.end)].push_back(i);
+      int longest = -1;
+      for (const auto& [ends, pieces] : between) {
+        if (pieces.size() == 1 && ends.first != ends.second) continue;
+        for (const int i : pieces)
+          if (!nodes_[i].segment.straight &&
+              (longest < 0 || polygon_length(i) > polygon_length(longest)))
+            longest = i;
+        if (longest < 0) throw std::runtime_error("two straight curves have the same ends");
+        break;
+      }
+      if (longest < 0) return;
+      split(longest);
+    }
   }
 
   void set_joints(int i) {
     Node& node = nodes_[i];
     const Node &before = nodes_[node.previous], &after = nodes_[node.next];
     WarpSegment& s = node.segment;
-    s.joint[0] = interior_angle(end_direction(before.segment.curve), start_direction(s.curve));
-    s.joint[1] = interior_angle(end_direction(s.curve), start_direction(after.segment.curve));
+    // Around a dangling end the interior is all there is.
+    const auto angle = [&](const Node& in, const Node& out) {
+      if (in.twin >= 0 && &nodes_[in.twin] == &out) return 2 * std::numbers::pi;
+      return interior_angle(end_direction(in.segment.curve), start_direction(out.segment.curve));
+    };
+    s.joint[0] = angle(before, node);
+    s.joint[1] = angle(node, after);
     s.share[0] = before.segment.straight ? kShareBesideLine : kShareBesideWarp;
     s.share[1] = after.segment.straight ? kShareBesideLine : kShareBesideWarp;
   }
@@ -133,18 +208,33 @@ class Layer {
     return sum;
   }
 
-  // Halves segment i: i keeps the first half, the new node takes the second.
-  int split(int i) {
+  // Halves segment i: i keeps the first half, the new node takes the second. The other side of a
+  // feature is halved with it. All halves become pending.
+  void split(int i) {
+    const int twin = nodes_[i].twin, middle = points_++;
+    const int j = split_side(i, middle);
+    if (twin < 0) return;
+    const int k = split_side(twin, middle);
+    nodes_[i].twin = k;
+    nodes_[k].twin = i;
+    nodes_[j].twin = twin;
+    nodes_[twin].twin = j;
+    pending_.push_back(twin);
+    pending_.push_back(k);
+  }
+
+  int split_side(int i, int middle_point) {
     const int j = static_cast<int>(nodes_.size());
     Node second = nodes_[i];
     Node& left = nodes_[i];
     if (left.segment.depth >= kMaxDepth)
       throw std::runtime_error(fmt::format(
           "curve {}: the boundary comes too close to itself near ({:.6g}, {:.6g}) (normalised)",
-          input_.loops[left.segment.loop][left.segment.source].curve,
+          walks_[left.segment.loop][left.segment.source].curve.curve,
           left.segment.curve.start().x(), left.segment.curve.start().y()));
     const double middle = 0.5 * (left.segment.s0 + left.segment.s1);
     left.segment.s1 = second.segment.s0 = middle;
+    left.segment.end = second.segment.start = middle_point;
     for (WarpSegment* s : {&left.segment, &second.segment}) {
       ++s->depth;
       s->shrink = 1;
@@ -160,6 +250,8 @@ class Layer {
       node->wished_split = false, node->wished_shrink = 1, node->changed = true;
     nodes_.push_back(std::move(second));
     ++report_.splits;
+    pending_.push_back(i);
+    pending_.push_back(j);
     return j;
   }
 
@@ -172,9 +264,7 @@ class Layer {
       if (s.straight) continue;
       const bool valid = place_apex(s);
       if (valid && (s.bound <= bound_ || s.depth >= kBoundDepth)) continue;
-      const int j = split(i);
-      pending_.push_back(i);
-      pending_.push_back(j);
+      split(i);
     }
   }
 
@@ -189,14 +279,23 @@ class Layer {
     return true;
   }
 
-  bool adjacent(int i, int j) const { return nodes_[i].next == j || nodes_[j].next == i; }
+  bool share_point(int i, int j) const {
+    const WarpSegment &a = nodes_[i].segment, &b = nodes_[j].segment;
+    return a.start == b.start || a.start == b.end || a.end == b.start || a.end == b.end;
+  }
 
   // Hulls that share a joint meet there only if their cones at the joint do; inside the shape the
   // shares see to that, outside the hulls' reach beyond the tangents must leave room.
+  // A feature's hull reaches no further than the inner edges on its other side.
   void test_joint(int i, int j) {
-    if (nodes_[i].next != j) std::swap(i, j);
+    if (nodes_[i].twin >= 0 || nodes_[j].twin >= 0) return;
+    if (nodes_[i].segment.end != nodes_[j].segment.start) std::swap(i, j);
     const WarpSegment &in = nodes_[i].segment, &out = nodes_[j].segment;
-    const double room = 2 * std::numbers::pi - in.joint[1];
+    // Where features end at the joint it has several sectors.
+    const double inside = nodes_[i].next == j
+                              ? in.joint[1]
+                              : interior_angle(end_direction(in.curve), start_direction(out.curve));
+    const double room = 2 * std::numbers::pi - inside;
     const double reach_in = outward_reach(in, 1), reach_out = outward_reach(out, 0);
     if (reach_in + reach_out < 0.9 * room) return;
     nodes_[reach_in > reach_out ? i : j].wished_split = true;
@@ -243,7 +342,8 @@ class Layer {
     // The pairs' order does not matter: nothing a test reads is changed before all are done.
     for (const auto& [i, j] : meeting_pairs(boxes_, active)) {
       if (nodes_[i].segment.straight && nodes_[j].segment.straight) continue;
-      if (adjacent(i, j))
+      if (nodes_[i].twin == j) continue;
+      if (share_point(i, j))
         test_joint(i, j);
       else
         test_apart(i, j);
@@ -260,9 +360,7 @@ class Layer {
       const double shrink = std::exchange(node.wished_shrink, 1);
       if (node.wished_split) {
         any = true;
-        const int j = split(i);  // invalidates `node`
-        pending_.push_back(i);
-        pending_.push_back(j);
+        split(i);  // invalidates `node`
         settle();
       } else if (shrink < node.segment.shrink) {
         any = true;
@@ -280,16 +378,19 @@ class Layer {
     if (s.bound > bound_)
       report_.notes.push_back(
           fmt::format("curve {}: bound {:.3g} instead of {:.3g} beside a joint of {:.3g} degrees",
-                      input_.loops[s.loop][s.source].curve, s.bound, bound_,
+                      walks_[s.loop][s.source].curve.curve, s.bound, bound_,
                       std::min(s.joint[0], s.joint[1]) / kDegree));
   }
 
-  const MeshInput& input_;
+  const Walks& walks_;
+  int degree_;
   double bound_;
   const Thrift& thrift_;
   MeshReport& report_;
   std::vector<Node> nodes_;
-  std::vector<int> first_;    // per loop: the node that starts its first curve
+  std::vector<int> first_;  // per walk: the node that starts its first curve
+  int points_ = 0;          // how many there are
+  bool features_ = false;
   std::vector<int> pending_;  // segments whose apex is not placed yet
   std::vector<std::vector<Point>> hulls_;
   std::vector<Box> boxes_;
@@ -305,12 +406,12 @@ Thrift strict_thrift() {
   return {kDegree, 0, 0.3, 0, 0};
 }
 
-std::optional<std::vector<std::vector<WarpSegment>>> build_warp_layer(const MeshInput& input,
-                                                                      double mips_bound,
+std::optional<std::vector<std::vector<WarpSegment>>> build_warp_layer(const Walks& walks,
+                                                                      int degree, double mips_bound,
                                                                       const Thrift& thrift,
                                                                       std::size_t limit,
                                                                       MeshReport& report) {
-  Layer layer(input, mips_bound, thrift, report);
+  Layer layer(walks, degree, mips_bound, thrift, report);
   if (!layer.build(limit)) return std::nullopt;
   return layer.collect();
 }

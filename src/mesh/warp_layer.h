@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/initial_mesh.h"
+#include "mesh/walks.h"
 #include "mesh/warp_segment.h"
 
 namespace c1mesh::meshing {
@@ -26,12 +27,12 @@ Thrift usual_thrift();
 /// For shapes that would need far too many triangles otherwise.
 Thrift strict_thrift();
 
-/// Per loop, in loop order, at least three segments that are pairwise disjoint (hulls) but for the
-/// joints. Fills splits, warp_triangles and notes of `report`. Gives up and returns nothing if
-/// there are more than `limit` segments. Throws std::runtime_error if curves cannot be told apart
-/// in double precision.
-std::optional<std::vector<std::vector<WarpSegment>>> build_warp_layer(const MeshInput& input,
-                                                                      double mips_bound,
+/// Per walk, in its order, segments that are pairwise disjoint (hulls) but for the points that they
+/// share; no two but twins share both ends. Fills splits, warp_triangles and notes of `report`.
+/// Gives up and returns nothing if there are more than `limit` segments. Throws std::runtime_error
+/// if curves cannot be told apart in double precision.
+std::optional<std::vector<std::vector<WarpSegment>>> build_warp_layer(const Walks& walks,
+                                                                      int degree, double mips_bound,
                                                                       const Thrift& thrift,
                                                                       std::size_t limit,
                                                                       MeshReport& report);

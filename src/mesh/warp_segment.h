@@ -12,7 +12,9 @@ namespace c1mesh::meshing {
 /// the apex lies to the left. The warp map has the straight triangle (start, end, apex) as domain
 /// and that triangle's net, with the base row replaced by the curve's poles, as control net.
 struct WarpSegment {
-  int loop = -1, source = -1;  ///< MeshInput::loops[loop][source]
+  int loop = -1, source = -1;  ///< Walks[loop][source]
+  int start = -1, end = -1;    ///< points; numbered by their first appearance as a start
+  int twin = -1;               ///< the same piece of a feature from the other side (flat number)
   double s0 = 0, s1 = 1;       ///< dyadic, in the loop curve's own parameter
   int depth = 0;               ///< how often the curve was halved to get here
   BezierCurve curve;           ///< the piece, degree n

@@ -39,8 +39,11 @@ Eigen::Vector3d edge_barycentric(const C1Edge& e, const PointMatrix& domain) {
 
 std::vector<C1Edge> c1_edges(const CurvedMesh& mesh) {
   std::vector<C1Edge> out;
-  for (const MeshEdge& e : MeshTopology(mesh).edges) {
-    if (e.triangle[1] < 0) continue;
+  const MeshTopology topology(mesh);
+  const std::vector<char> feature = feature_flags(mesh, topology);
+  for (std::size_t k = 0; k < topology.edges.size(); ++k) {
+    const MeshEdge& e = topology.edges[k];
+    if (e.triangle[1] < 0 || feature[k]) continue;
     C1Edge edge;
     edge.vertex = {e.a, e.b, mesh.triangles[e.triangle[0]][e.corner[0]],
                    mesh.triangles[e.triangle[1]][e.corner[1]]};
@@ -69,8 +72,11 @@ std::vector<C1Edge> joint_equations(const CurvedMesh& mesh, const Joints& joints
     control.push_back(control[vertex] + across);
   }
   std::vector<C1Edge> out;
-  for (const MeshEdge& e : MeshTopology(mesh).edges) {
-    if (e.triangle[1] < 0) continue;
+  const MeshTopology topology(mesh);
+  const std::vector<char> feature = feature_flags(mesh, topology);
+  for (std::size_t i = 0; i < topology.edges.size(); ++i) {
+    const MeshEdge& e = topology.edges[i];
+    if (e.triangle[1] < 0 || feature[i]) continue;
     const std::vector<int> ids = row_controls(mesh, e.triangle[0], e.corner[0], 0);
     for (int side = 0; side < 2; ++side) {
       const int v = side == 0 ? e.a : e.b, other = side == 0 ? e.b : e.a;

@@ -24,11 +24,11 @@ struct C1Edge {
   int equations() const { return static_cast<int>(inner.size()); }
 };
 
-/// Every interior edge, in the topology's order.
+/// Every interior edge that is no feature edge, in the topology's order.
 std::vector<C1Edge> c1_edges(const CurvedMesh& mesh);
 
 /// At a mild joint the two boundary edges are nearly parallel and pin the gradient only weakly
-/// through the edges' own equations. These say it well: for every interior edge (v, j) there, the
+/// through the edges' own equations. These say it well: for every edge (v, j) of them there, the
 /// control point next to v is where the map (e0, w) -> (d0, J d0) sends (x_j - x_v) / n. Appends
 /// the auxiliary control points v + d0/n and v + J d0/n to `control`.
 std::vector<C1Edge> joint_equations(const CurvedMesh& mesh, const Joints& joints,

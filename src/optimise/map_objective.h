@@ -74,7 +74,7 @@ class MapObjective : public Objective {
   std::vector<double> edge_weight_, triangle_weight_;
   std::vector<DomainElement> extras_;
   std::vector<Dependence> triangle_exact_, triangle_sparse_, extra_exact_, extra_sparse_;
-  std::vector<char> fixed_;    // per control point: on the boundary
+  std::vector<char> fixed_;    // per control point: on boundary or features
   std::vector<int> variable_;  // per control point: index of its x variable, or -1
   std::vector<Point> frozen_control_;
   PointMatrix frozen_domain_;

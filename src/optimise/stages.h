@@ -9,7 +9,8 @@
 
 namespace c1mesh {
 
-/// The edges across which C1 is asked: all interior ones without an exceptional end.
+/// The edges across which C1 is asked: all interior ones that are neither features nor have an
+/// exceptional end.
 std::vector<C1Edge> asked_edges(const CurvedMesh& mesh, const Joints& joints, const Roles& roles);
 
 struct JointOptions {

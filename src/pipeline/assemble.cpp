@@ -15,19 +15,32 @@ struct Offset {
   int vertex, control;
 };
 
+// Edges on curves get the exact restrictions as control points.
+void add_curve_edges(const Shape& shape, const std::vector<BoundaryEdge>& edges,
+                     const std::vector<std::vector<int>>& control, const Offset& at,
+                     std::vector<CurveEdge>& out, Result& result) {
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const BoundaryEdge& e = edges[k];
+    out.push_back({e.a + at.vertex, e.b + at.vertex, e.curve, e.t0, e.t1});
+    const BezierCurve exact = restrict_exactly(shape.curves[e.curve], e.t0, e.t1, result.degree);
+    for (int i = 0; i <= result.degree; ++i)
+      result.control_points[control[k][i] + at.control] = exact.poles[i];
+  }
+}
+
 void add_boundary(const Shape& shape, const RegionSolution& region, const Offset& at,
                   Result& result) {
   const auto control = boundary_control(region.mesh);
-  for (std::size_t l = 0; l < region.mesh.loops.size(); ++l)
-    for (std::size_t k = 0; k < region.mesh.loops[l].size(); ++k) {
-      const BoundaryEdge& e = region.mesh.loops[l][k];
-      result.boundary_edges.push_back({e.a + at.vertex, e.b + at.vertex, e.curve, e.t0, e.t1});
-      const BezierCurve exact = restrict_exactly(shape.curves[e.curve], e.t0, e.t1, result.degree);
-      for (int i = 0; i <= result.degree; ++i)
-        result.control_points[control[l][k][i] + at.control] = exact.poles[i];
+  const std::size_t loops = region.mesh.loops.size();
+  for (std::size_t l = 0; l < loops; ++l) {
+    add_curve_edges(shape, region.mesh.loops[l], control[l], at, result.boundary_edges, result);
+    for (const Joint& joint : region.joints[l])
       result.boundary_vertices.push_back(
-          {region.joints[l][k].vertex + at.vertex, region.joints[l][k].kind == JointKind::corner});
-    }
+          {joint.vertex + at.vertex, joint.kind == JointKind::corner});
+  }
+  for (std::size_t f = 0; f < region.mesh.features.size(); ++f)
+    add_curve_edges(shape, region.mesh.features[f].edges, control[loops + f], at,
+                    result.feature_edges, result);
 }
 
 void add_region(const Shape& shape, const RegionSolution& region, Result& result) {

@@ -9,7 +9,8 @@
 
 namespace c1mesh {
 
-/// Boundary control points are the exact restrictions of the input curves, rounded once.
+/// Control points on boundary and features are the exact restrictions of the input curves, rounded
+/// once.
 Result assemble_result(const Shape& shape, const std::vector<RegionSolution>& regions,
                        const Options& options, int degree);
 

@@ -20,6 +20,15 @@ double reluctance(const Joint& joint, Role role) {
   return 1;
 }
 
+// From the last to the first, so that earlier indices still fit.
+void split_feature_edges_at(CurvedMesh& mesh, int vertex) {
+  for (std::size_t f = 0; f < mesh.features.size(); ++f)
+    for (int k = static_cast<int>(mesh.features[f].edges.size()) - 1; k >= 0; --k) {
+      const BoundaryEdge& e = mesh.features[f].edges[k];
+      if (e.a == vertex || e.b == vertex) split_feature_edge(mesh, static_cast<int>(f), k);
+    }
+}
+
 }  // namespace
 
 int demote_near(const CurvedMesh& mesh, const Joints& joints, const std::vector<int>& trouble,
@@ -50,6 +59,7 @@ void grade_corners(CurvedMesh& mesh, const Joints& joints, const Roles& roles, i
         corners.push_back(joints[l][k].vertex);
   for (; levels > 0; --levels)
     for (const int corner : corners) {
+      split_feature_edges_at(mesh, corner);
       for (std::size_t l = 0; l < mesh.loops.size(); ++l) {
         const int m = static_cast<int>(mesh.loops[l].size());
         for (int k = 0; k < m; ++k) {
@@ -62,9 +72,13 @@ void grade_corners(CurvedMesh& mesh, const Joints& joints, const Roles& roles, i
         }
       }
       std::vector<int> ends;
-      for (const MeshEdge& e : MeshTopology(mesh).edges)
-        if (e.triangle[1] >= 0 && (e.a == corner || e.b == corner))
+      const MeshTopology topology(mesh);
+      const std::vector<char> feature = feature_flags(mesh, topology);
+      for (std::size_t i = 0; i < topology.edges.size(); ++i) {
+        const MeshEdge& e = topology.edges[i];
+        if (e.triangle[1] >= 0 && !feature[i] && (e.a == corner || e.b == corner))
           ends.push_back(e.a == corner ? e.b : e.a);
+      }
       for (const int end : ends) split_edge(mesh, corner, end);
     }
 }
@@ -72,7 +86,8 @@ void grade_corners(CurvedMesh& mesh, const Joints& joints, const Roles& roles, i
 void demote_all_joints(const Joints& joints, Roles& roles) {
   for (std::size_t l = 0; l < joints.size(); ++l)
     for (std::size_t k = 0; k < joints[l].size(); ++k)
-      if (joints[l][k].kind == JointKind::corner || joints[l][k].kind == JointKind::mild)
+      if ((joints[l][k].kind == JointKind::corner || joints[l][k].kind == JointKind::mild) &&
+          !joints[l][k].branch)
         roles[l][k] = Role::released;
 }
 

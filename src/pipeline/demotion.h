@@ -15,8 +15,8 @@ namespace c1mesh {
 int demote_near(const CurvedMesh& mesh, const Joints& joints, const std::vector<int>& trouble,
                 int count, Roles& roles);
 
-/// Refines the mesh towards every corner that keeps C1: halves each edge of its fan, boundary edges
-/// too, `levels` times. The corner's forced gradient then rules a smaller place.
+/// Refines the mesh towards every corner that keeps C1: halves each edge of its fan, those on
+/// curves too, `levels` times. The corner's forced gradient then rules a smaller place.
 void grade_corners(CurvedMesh& mesh, const Joints& joints, const Roles& roles, int levels);
 
 bool has_c1_corner(const Joints& joints, const Roles& roles);

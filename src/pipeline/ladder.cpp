@@ -277,9 +277,16 @@ class Ladder {
           out.exceptional.push_back(out.joints[l][k].vertex);
         }
     std::sort(out.exceptional.begin(), out.exceptional.end());
-    for (const MeshEdge& e : MeshTopology(out.mesh).edges)
-      if (e.triangle[1] >= 0 && (is_exceptional[e.a] || is_exceptional[e.b]))
+    // Branch points are in several paths.
+    out.exceptional.erase(std::unique(out.exceptional.begin(), out.exceptional.end()),
+                          out.exceptional.end());
+    const MeshTopology topology(out.mesh);
+    const std::vector<char> feature = feature_flags(out.mesh, topology);
+    for (std::size_t i = 0; i < topology.edges.size(); ++i) {
+      const MeshEdge& e = topology.edges[i];
+      if (e.triangle[1] >= 0 && (is_exceptional[e.a] || is_exceptional[e.b] || feature[i]))
         out.relaxed.push_back({e.a, e.b});
+    }
   }
 
   // The initial mesh as it is: valid by construction, C1 nowhere promised.

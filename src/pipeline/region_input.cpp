@@ -25,6 +25,8 @@ MeshInput region_input(const Shape& shape, int index, int degree) {
   input.degree = degree;
   input.loops.push_back(loop_curves(shape, region.outer, degree));
   for (const Loop& hole : region.holes) input.loops.push_back(loop_curves(shape, hole, degree));
+  for (const FeaturePath& path : region.features)
+    input.features.push_back({loop_curves(shape, path.curves, degree), path.closed});
   return input;
 }
 

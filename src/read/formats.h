@@ -13,7 +13,8 @@ namespace c1mesh::detail {
 /// unsupported, limit, empty) with one defect per bad curve.
 Drawing read_json(const std::string& text, const std::string& name, const ReadOptions& options);
 
-/// One drawing per filled element, or one of all with `options.together`. Throws InputError.
+/// One drawing per filled element, or one of all with `options.together`; what is stroked and not
+/// filled then gives features. Throws InputError.
 std::vector<Drawing> read_svg(const std::string& text, const std::string& name,
                               const ReadOptions& options);
 

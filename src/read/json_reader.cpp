@@ -83,6 +83,7 @@ class CurveReader {
     read_id();
     out.id = id_;
     if (check_type()) out.curve.poles = read_poles();
+    read_mark(out);
     return out;
   }
 
@@ -108,6 +109,16 @@ class CurveReader {
     else
       complain(DefectKind::malformed, "has a curve_id that is neither a number nor a string",
                "name curves by numbers or strings");
+  }
+
+  void read_mark(InputCurve& out) {
+    const auto found = entry_.find("feature");
+    if (found == entry_.end()) return;
+    if (found->is_boolean())
+      out.feature = found->get<bool>();
+    else
+      complain(DefectKind::malformed, "has a \"feature\" that is neither true nor false",
+               "mark curves that bound nothing by \"feature\": true");
   }
 
   bool check_type() {

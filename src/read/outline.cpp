@@ -100,10 +100,9 @@ Outline Pen::finish() {
 
 void Pen::end_subpath(bool closed_by_author) {
   if (current_.empty()) return;
-  if (at_ != start_) {
-    line_to(start_);
-    if (!closed_by_author) ++out_.closed_by_line;
-  }
+  out_.closing_line.push_back(at_ != start_ && !closed_by_author);
+  if (at_ != start_) line_to(start_);
+  if (out_.closing_line.back()) ++out_.closed_by_line;
   out_.subpaths.push_back(std::move(current_));
   current_.clear();
 }

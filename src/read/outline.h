@@ -15,6 +15,7 @@ struct Outline {
   int arcs = 0;                                    ///< elliptical arcs that became cubics
   double arc_error = 0;                            ///< bound on their distance from the true arcs
   int closed_by_line = 0;                          ///< open subpaths that were closed for filling
+  std::vector<char> closing_line;  ///< per subpath: is its last curve such a closing line?
 };
 
 /// Collects the curves of an outline, subpath by subpath.

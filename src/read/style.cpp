@@ -45,8 +45,11 @@ std::string property_of(const pugi::xml_node& element, const std::string& proper
 Style inherit(const Style& parent, const pugi::xml_node& element) {
   Style out = parent;
   const std::string fill = property_of(element, "fill"), rule = property_of(element, "fill-rule");
+  const std::string stroke = property_of(element, "stroke");
   const std::string visibility = property_of(element, "visibility");
   if (!fill.empty() && fill != "inherit") out.filled = fill != "none" && fill != "transparent";
+  if (!stroke.empty() && stroke != "inherit")
+    out.stroked = stroke != "none" && stroke != "transparent";
   if (rule == "evenodd") out.rule = FillRule::even_odd;
   if (rule == "nonzero") out.rule = FillRule::nonzero;
   if (!visibility.empty() && visibility != "inherit") out.visible = visibility == "visible";

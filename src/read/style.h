@@ -11,8 +11,9 @@ namespace c1mesh::detail {
 
 /// Inherited properties.
 struct Style {
-  bool filled = true;   ///< `fill` is not `none`
-  bool visible = true;  ///< `visibility` is `visible`
+  bool filled = true;    ///< `fill` is not `none`
+  bool stroked = false;  ///< `stroke` is not `none`, which it is unless set
+  bool visible = true;   ///< `visibility` is `visible`
   FillRule rule = FillRule::nonzero;
 };
 

@@ -59,15 +59,30 @@ class SvgReader {
     const std::optional<Outline> outline = outline_of(drawn.element);
     ++ordinal_;
     if (!outline || outline->subpaths.empty()) return;
-    if (!drawn.style.filled || !drawn.style.visible) {
+    const bool feature = options_.together && !drawn.style.filled && drawn.style.stroked;
+    if (!drawn.style.visible || !(drawn.style.filled || feature)) {
       ++unfilled_;
       return;
     }
     const std::string id = drawn.element.attribute("id").value();
     const std::string label =
         id.empty() ? fmt::format("{}{}", local_name(drawn.element), ordinal_) : id;
+    if (feature) {
+      features_.push_back(features_of(*outline, drawn, label));
+      return;
+    }
     drawings_.push_back(drawing_of(*outline, drawn, label));
     labels_.push_back(id.empty() ? std::to_string(drawings_.size()) : id);
+  }
+
+  // Lines that are drawn but not filled: the curves as they are, not closed.
+  Drawing features_of(Outline outline, const Drawn& drawn, const std::string& label) {
+    for (std::size_t i = 0; i < outline.subpaths.size(); ++i)
+      if (outline.closing_line[i]) outline.subpaths[i].pop_back();
+    outline.closed_by_line = 0;
+    Drawing out = drawing_of(outline, drawn, label);
+    for (InputCurve& curve : out.curves) curve.feature = true;
+    return out;
   }
 
   Drawing drawing_of(const Outline& outline, const Drawn& drawn, const std::string& label) {
@@ -119,6 +134,7 @@ class SvgReader {
     Drawing all;
     all.name = name_;
     all.fill_rule = drawings_.size() == 1 ? drawings_[0].fill_rule : FillRule::even_odd;
+    drawings_.insert(drawings_.end(), features_.begin(), features_.end());
     for (Drawing& drawing : drawings_) {
       for (InputCurve& curve : drawing.curves) all.curves.push_back(std::move(curve));
       for (Defect& defect : drawing.notes) all.notes.push_back(std::move(defect));
@@ -130,7 +146,7 @@ class SvgReader {
   pugi::xml_document document_;
   const std::string& name_;
   const ReadOptions& options_;
-  std::vector<Drawing> drawings_;
+  std::vector<Drawing> drawings_, features_;
   std::vector<std::string> labels_;  // per drawing: its element's id or ordinal
   std::set<std::string> curve_prefixes_;
   std::size_t curve_count_ = 0;

@@ -8,6 +8,7 @@
 
 #include "verify/checks.h"
 #include "verify/curve_pairs.h"
+#include "verify/faces.h"
 
 namespace c1mesh::verification {
 namespace {
@@ -62,22 +63,70 @@ std::vector<Joint> joints_of(const Subject& subject, const std::vector<int>& loo
   return joints;
 }
 
-/// The least number of exceptional vertices a loop asks for: its domain polygon needs three convex
-/// corners (a hole's: three that are reflex seen from the interior), and a C1 corner of the shape
-/// lies over a domain corner of its own kind.
-void count_minimum(const Subject& subject, Metrics& metrics) {
+/// How many corners a polygon lacks, of the kind it needs and of any kind, and where it runs.
+struct Demand {
+  int missing = 0, missing_of_any = 0;
+  std::set<int> vertices;
+};
+
+/// The domain polygon of a closed run of edges with a face on its left needs three corners: convex
+/// ones if the face lies inside, else three that are reflex seen from the face. A C1 corner of the
+/// shape lies over a domain corner of its own kind; a branch point is not C1 and may be any.
+Demand demand_of(const Subject& subject, const std::vector<int>& loop, bool inside,
+                 const std::vector<int>& branches) {
   const double limit = corner_angle(subject.result) * kDegree;
+  Demand out{3, 3, {loop.begin(), loop.end()}};
+  for (const Joint& joint : joints_of(subject, loop)) {
+    const bool branch = std::binary_search(branches.begin(), branches.end(), joint.vertex);
+    const double turn = inside ? joint.shape_turn : -joint.shape_turn;
+    if (branch || turn > limit) --out.missing;
+    if (branch || std::abs(turn) > limit) --out.missing_of_any;
+  }
+  out.missing = std::max(0, out.missing);
+  out.missing_of_any = std::max(0, out.missing_of_any);
+  return out;
+}
+
+bool turns_left(const Subject& subject, const std::vector<int>& loop) {
+  std::vector<std::vector<Point>> curves;
+  for (const BoundaryRow& row : rows_of(subject, loop)) curves.push_back(row.poles);
+  return curves.empty() || area_sign(curves) >= 0;
+}
+
+/// Branch points, and what the polygons lack (docs/vocabulary.md). No vertex serves two of the
+/// demands `apart`: it is convex for one face at most, and a hole's corners are reflex for faces.
+/// The rim of several faces together, `rims`, may be served by the corners of those it touches.
+void count_minimum(const Subject& subject, Metrics& metrics) {
+  const std::vector<int> branches = branch_points(subject);
+  std::vector<Demand> apart, rims;
   for (const auto& loop : subject.surface.loops) {
-    int left = 0, right = 0;
-    for (const Joint& joint : joints_of(subject, loop)) {
-      if (joint.shape_turn > limit) ++left;
-      if (joint.shape_turn < -limit) ++right;
+    const bool outer = turns_left(subject, loop);
+    // Without features the outer loop goes around its one face.
+    (outer && !subject.result.feature_edges.empty() ? rims : apart)
+        .push_back(demand_of(subject, loop, outer, branches));
+  }
+  if (!subject.result.feature_edges.empty())
+    for (const auto& cycle : face_cycles(subject)) {
+      const bool inside = turns_left(subject, cycle);
+      (inside ? apart : rims).push_back(demand_of(subject, cycle, inside, branches));
     }
-    std::vector<std::vector<Point>> curves;
-    for (const BoundaryRow& row : rows_of(subject, loop)) curves.push_back(row.poles);
-    const bool outer = curves.empty() || area_sign(curves) >= 0;
-    metrics.exceptional_minimum += std::max(0, 3 - (outer ? left : right));
-    metrics.exceptional_minimum_paper += std::max(0, 3 - (left + right));
+  metrics.exceptional_minimum = metrics.exceptional_minimum_paper =
+      static_cast<int>(branches.size());
+  for (const Demand& demand : apart) {
+    metrics.exceptional_minimum += demand.missing;
+    metrics.exceptional_minimum_paper += demand.missing_of_any;
+  }
+  for (const Demand& rim : rims) {
+    int served = 0, served_by_any = 0;
+    for (const Demand& demand : apart) {
+      if (std::none_of(demand.vertices.begin(), demand.vertices.end(),
+                       [&](int v) { return rim.vertices.count(v) > 0; }))
+        continue;
+      served += demand.missing;
+      served_by_any += demand.missing_of_any;
+    }
+    metrics.exceptional_minimum += std::max(0, rim.missing - served);
+    metrics.exceptional_minimum_paper += std::max(0, rim.missing_of_any - served_by_any);
   }
 }
 
@@ -118,6 +167,9 @@ VerifyItem check_exceptional(const Subject& subject, Metrics& metrics) {
                                   result.exceptional_vertices.end());
   if (exceptional.size() != result.exceptional_vertices.size())
     faults.add("an exceptional vertex is listed twice");
+  for (const int v : branch_points(subject))
+    if (!exceptional.count(v))
+      faults.add(fmt::format("three curves meet in vertex {}, but it is not exceptional", v));
   std::set<int> features;
   for (const CurveEdge& e : result.feature_edges)
     features.insert(subject.surface.find_edge(e.a, e.b));

@@ -94,15 +94,21 @@ VerifyItem check_input_curves(const Subject& subject, const Shape& shape) {
   std::set<Bits> used;
   for (const CurveEdge& e : subject.result.boundary_edges)
     used.insert(bits_of(subject.result.curves[e.curve]));
-  const auto want_used = [&](const Loop& loop) {
-    for (const CurveUse& use : loop)
-      if (!used.count(bits_of(shape.curves[use.curve])))
-        faults.add(
-            fmt::format("curve {} of the input bounds a region but not the result", use.curve));
+  std::set<Bits> features;
+  for (const CurveEdge& e : subject.result.feature_edges)
+    features.insert(bits_of(subject.result.curves[e.curve]));
+  const auto want = [&](const std::vector<CurveUse>& uses, const std::set<Bits>& where,
+                        const char* message) {
+    for (const CurveUse& use : uses)
+      if (!where.count(bits_of(shape.curves[use.curve])))
+        faults.add(fmt::format(fmt::runtime(message), use.curve));
   };
+  const char* no_boundary = "curve {} of the input bounds a region but not the result";
   for (const Region& region : shape.regions) {
-    want_used(region.outer);
-    for (const Loop& hole : region.holes) want_used(hole);
+    want(region.outer, used, no_boundary);
+    for (const Loop& hole : region.holes) want(hole, used, no_boundary);
+    for (const FeaturePath& path : region.features)
+      want(path.curves, features, "curve {} of the input is a feature but not of the result");
   }
   return faults.item("input curves", fmt::format("{} curves as in the input", shape.curves.size()));
 }

@@ -116,7 +116,7 @@ TEST(Layout, BentJointsTurnByKappaW) {
 // the shape, valid, wound once, and optimal up to the tolerance.
 TEST(Domain, SmoothLoopBecomesATriangle) {
   const Case c = make_case(0.2, 0.2, 0);
-  EXPECT_EQ(minimum_exceptional(c.joints), 3);
+  EXPECT_EQ(minimum_exceptional(c.mesh, c.joints), 3);
   EXPECT_EQ(count_exceptional(c.roles), 3);
   DomainReport report;
   const DomainState state = solve_domain(c.mesh, c.joints, c.roles, {}, report, {});

@@ -78,7 +78,8 @@ bool holds(const std::vector<Point>& hull, const Point& p, double slack) {
 TEST(WarpLayer, HullsHoldBothTrianglesAndAreDisjoint) {
   MeshReport report;
   const MeshInput input = input_of({blob(9, 0.5, 8), backwards(circle({0.5, 0.5}, 0.08))});
-  const auto layer = build_warp_layer(input, 10, usual_thrift(), 100000, report);
+  const auto layer =
+      build_warp_layer(walks_of(input), input.degree, 10, usual_thrift(), 100000, report);
   ASSERT_TRUE(layer);
   std::vector<const WarpSegment*> all;
   for (const auto& loop : *layer) {
@@ -108,14 +109,14 @@ TEST(WarpLayer, HullsHoldBothTrianglesAndAreDisjoint) {
 TEST(WarpLayer, GivesUpAtItsLimit) {
   MeshReport report;
   const MeshInput input = input_of({spiral(3)});
-  EXPECT_FALSE(build_warp_layer(input, 10, usual_thrift(), 20, report));
+  EXPECT_FALSE(build_warp_layer(walks_of(input), input.degree, 10, usual_thrift(), 20, report));
 }
 
 TEST(WarpLayer, StrictThriftNeedsFewerTriangles) {
   MeshReport usual, strict;
   const MeshInput input = input_of({circle({0.5, 0.5}, 0.5), backwards(circle({0.5, 0.5}, 0.49))});
-  ASSERT_TRUE(build_warp_layer(input, 10, usual_thrift(), 100000, usual));
-  ASSERT_TRUE(build_warp_layer(input, 10, strict_thrift(), 100000, strict));
+  ASSERT_TRUE(build_warp_layer(walks_of(input), input.degree, 10, usual_thrift(), 100000, usual));
+  ASSERT_TRUE(build_warp_layer(walks_of(input), input.degree, 10, strict_thrift(), 100000, strict));
   EXPECT_LT(strict.warp_triangles, usual.warp_triangles);
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <random>
+#include <set>
 
 #include "finite_differences.h"
 #include "optimise/random_mesh.h"
@@ -104,6 +105,27 @@ TEST(C1System, RelaxingEdgesOnlyAddsSolutions) {
   const int at_corner = solution_dimension(mesh, {0});
   EXPECT_GT(at_corner, before);
   EXPECT_GT(solution_dimension(mesh, {0, 15}), at_corner);
+}
+
+// A map with a kink along a line of vertices: C1 is not asked across the line if it is a feature,
+// and across all other edges it holds.
+TEST_P(C1Degrees, NoEquationAcrossFeatures) {
+  CurvedMesh mesh = jittered_square(GetParam(), 4, 7, 0);
+  const PointMatrix domain = domain_matrix(mesh);
+  const std::size_t all = c1_edges(mesh).size();
+  FeatureLine line;  // up the middle column of the 5 x 5 vertices
+  for (int y = 0; y < 4; ++y) line.edges.push_back({5 * y + 2, 5 * y + 7, 100 + y, 0, 1});
+  for (Point& p : mesh.control) p += std::max(0.0, p.x() - 0.5) * Point(0.3, 0.2);
+  EXPECT_GT(largest_residue(c1_edges(mesh), domain, mesh.control), 1e-3);
+  mesh.features.push_back(line);
+  const auto asked = c1_edges(mesh);
+  EXPECT_EQ(asked.size(), all - 4);
+  EXPECT_LT(largest_residue(asked, domain, mesh.control), 1e-15);
+  // Its control points are given, like the boundary's.
+  std::set<int> given;
+  for (const auto& path : boundary_control(mesh))
+    for (const auto& edge : path) given.insert(edge.begin(), edge.end());
+  EXPECT_EQ(given.size(), 16u + 3 + (16 + 4) * (GetParam() - 1));
 }
 
 TEST_P(C1Degrees, ProjectionReachesRoundingAndKeepsTheFixedPoints) {

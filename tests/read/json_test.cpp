@@ -57,6 +57,17 @@ TEST(Json, EveryBadCurveIsNamed) {
   }
 }
 
+TEST(Json, FeaturesAreMarked) {
+  const Drawing drawing = read_drawings_from(
+      R"([{"poles":[[0,0],[1,0]]},{"poles":[[0,0],[0,1]],"feature":true},
+          {"poles":[[0,0],[1,1]],"feature":false}])",
+      "test")[0];
+  EXPECT_FALSE(drawing.curves[0].feature);
+  EXPECT_TRUE(drawing.curves[1].feature);
+  EXPECT_FALSE(drawing.curves[2].feature);
+  EXPECT_EQ(first_kind(R"([{"poles":[[0,0],[1,0]],"feature":1}])"), DefectKind::malformed);
+}
+
 TEST(Json, SyntaxErrorsAreMalformed) {
   for (const char* text : {"[", "{", "[1,", "[] x", "{\"curves\":3}", "{\"poles\":[]}", "[NaN]",
                            "[{\"poles\":[[0,0],[1e999,0]]}]", "[\"\xFF\"]", "", "hello", "7"})

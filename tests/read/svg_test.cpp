@@ -67,6 +67,22 @@ TEST(Svg, TogetherMakesOneDrawing) {
   EXPECT_NE(drawings[0].curves[0].id, drawings[0].curves[3].id);
 }
 
+TEST(Svg, TogetherTakesLinesAsFeatures) {
+  const std::string lines =
+      "<g fill='none' stroke='black'><path id='f' d='M 1 1 L 2 3 Q 3 3 4 1 M 5 5 L 6 6 L 6 5 Z'/>"
+      "<path d='M 0 0 L 9 9' stroke='none'/></g>";
+  ReadOptions together;
+  together.together = true;
+  const Drawing drawing = read_content(kTriangle + lines, together).at(0);
+  std::vector<bool> features;
+  for (const InputCurve& curve : drawing.curves) features.push_back(curve.feature);
+  // Open subpaths stay open, closed ones keep their last side; what is not drawn is left out.
+  EXPECT_EQ(features, (std::vector<bool>{false, false, false, true, true, true, true, true}));
+  EXPECT_EQ(drawing.curves[4].curve.end(), Point(4, -1));
+  // One by one only filled elements count.
+  EXPECT_EQ(read_content(kTriangle + lines).at(0).curves.size(), 3u);
+}
+
 TEST(Svg, RoundedRectWithFullRadiiHasNoLines) {
   const auto drawing = read_content("<rect width='4' height='2' rx='9' ry='9'/>").at(0);
   EXPECT_EQ(drawing.curves.size(), 4u);
