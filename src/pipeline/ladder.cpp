@@ -29,7 +29,8 @@ struct Best {
   Attempt attempt;
   CurvedMesh mesh;
   Joints joints;
-  const Variant* variant = nullptr;  // where it was found; its mesh may have been refined since
+  Variant* variant = nullptr;  // where it was found; its mesh may have been refined since
+  Roles roles;                 // on the variant's mesh
   std::string how;
 };
 
@@ -52,6 +53,8 @@ class Ladder {
     try {
       search();
       if (!best_.found) release_joints();
+      if (satisfied()) restore();
+      if (best_.found) polish();
       if (!best_.found) last_resort();
     } catch (const TimeLimitReached&) {
       out.interrupted = true;
@@ -113,18 +116,34 @@ class Ladder {
     return satisfied();
   }
 
-  // Refined where its distortion is large. Within the bound first, then the fewest exceptional
-  // vertices, then the lowest distortion.
-  void consider(const Variant& variant, const std::string& how) {
-    Best next{true, last_, variant.mesh, variant.joints, &variant, how};
+  // Refined if its distortion exceeds the bound. Within the bound first, then the fewest
+  // exceptional vertices, then the lowest distortion.
+  void consider(Variant& variant, const std::string& how) {
+    Best next{true, last_, variant.mesh, variant.joints, &variant, last_.roles, how};
     RefineOptions settings;
-    if (options_.refine > 0) settings = {0, options_.refine, 2 * settings.rounds};
-    refine_where_distorted(settings, {}, next.mesh, next.joints, next.attempt, checkpoint_);
+    settings.target = bound_;
+    if (options_.refine > 0) settings.growth = options_.refine;
+    refine(next, settings);
     const auto rank = [&](const Attempt& a) {
       return std::make_tuple(!(a.g <= bound_), count_exceptional(a.roles), a.g);
     };
     if (best_.found && !(rank(next.attempt) < rank(best_.attempt))) return;
     best_ = std::move(next);
+  }
+
+  void refine(Best& best, const RefineOptions& settings) {
+    const int before = best.mesh.triangle_count();
+    refine_where_distorted(settings, {}, best.mesh, best.joints, best.attempt, checkpoint_);
+    work_ += best.mesh.triangle_count() - before;
+  }
+
+  // The last step: lower than the bound asks, as far as triangles may be spent on it.
+  void polish() {
+    RefineOptions settings;
+    if (options_.refine > 0) settings = {0, options_.refine, 2 * settings.rounds};
+    settings.growth *=
+        static_cast<double>(best_.variant->mesh.triangle_count()) / best_.mesh.triangle_count();
+    refine(best_, settings);
   }
 
   // The placement of missing corners whose domain stage ends lowest.
@@ -173,7 +192,63 @@ class Ladder {
     }
     if (best_.found && options_.exceptional >= 0) return;
     if (best_.found && add_corners(roles)) return;
-    if (give_up_more(*last, roles_on(coarse_.joints, roles, last->joints), 1, 16, prefix)) return;
+    give_up_more(*last, roles, prefix);
+  }
+
+  // Two ways to more exceptional vertices, by turns and ever more: corners where they help the
+  // domain most, and vertices released near the trouble.
+  void give_up_more(Variant& variant, Roles placed, const std::string& prefix) {
+    constexpr int kMost = 16;
+    Roles released = roles_on(coarse_.joints, placed, variant.joints);
+    std::vector<int> trouble = last_.trouble;
+    const std::string start = prefix.empty() ? "" : prefix + ", ";
+    for (int count = 1, added = 0, given_up = 0; count <= kMost; count *= 2) {
+      if (best_.found && options_.exceptional >= 0) return;
+      while (added < count && add_corner(placed)) ++added;
+      if (added == count &&
+          attempt(variant, roles_on(coarse_.joints, placed, variant.joints), {30},
+                  fmt::format("{}{} more exceptional by placement", start, added)))
+        return;
+      const int changed = demote_near(variant.mesh, variant.joints, trouble, count, released);
+      given_up += changed;
+      if (changed > 0 &&
+          both_wedges_on(variant, released, fmt::format("{}{} more exceptional", start, given_up)))
+        return;
+      trouble = last_.trouble;
+    }
+  }
+
+  // What was given up by the half dozen may not all have been needed: tries without ever smaller
+  // parts of it.
+  void restore() {
+    constexpr int kTries = 8;
+    constexpr long kPart = 2;  // of the work the search may do
+    work_ = kWork - kWork / kPart;
+    Variant& variant = *best_.variant;
+    const Roles first = roles_on(coarse_.joints, first_roles_, variant.joints);
+    const std::string how = best_.how + ", some of them restored";
+    int tries = 0;
+    for (std::size_t part = extra(first).size() / 2; part > 0; part /= 2)
+      for (std::size_t at = 0; at < extra(first).size() && tries < kTries;) {
+        if (!affordable(variant)) return;
+        const auto places = extra(first);
+        Roles roles = best_.roles;
+        for (std::size_t i = at; i < std::min(at + part, places.size()); ++i)
+          roles[places[i].loop][places[i].position] = first[places[i].loop][places[i].position];
+        ++tries;
+        attempt(variant, roles, {30}, how);
+        if (extra(first).size() == places.size()) at += part;
+      }
+  }
+
+  // Where the best so far gives up C1 and `first` does not.
+  std::vector<Place> extra(const Roles& first) const {
+    std::vector<Place> out;
+    for (std::size_t l = 0; l < first.size(); ++l)
+      for (std::size_t k = 0; k < first[l].size(); ++k)
+        if (gives_up_c1(best_.roles[l][k]) && !gives_up_c1(first[l][k]))
+          out.push_back({static_cast<int>(l), static_cast<int>(k)});
+    return out;
   }
 
   // A map exists but its distortion is above the bound: more corners for the domain, one after the
@@ -214,8 +289,13 @@ class Ladder {
   void release_joints() {
     work_ = attempts_ = 0;
     Roles roles = first_roles_;
-    const int first = 1 + coarse_.mesh.triangle_count() / 200;
-    give_up_more(coarse_, roles, first, 1 << 20, "");
+    int total = 0;
+    for (int count = 1 + coarse_.mesh.triangle_count() / 200; !best_.found; count *= 2) {
+      const int changed = demote_near(coarse_.mesh, coarse_.joints, last_.trouble, count, roles);
+      if (changed == 0) break;
+      total += changed;
+      if (both_wedges_on(coarse_, roles, fmt::format("{} more exceptional", total))) return;
+    }
     if (best_.found) return;
     demote_all_joints(coarse_.joints, roles);
     work_ = attempts_ = 0;
@@ -228,31 +308,22 @@ class Ladder {
            attempt(variant, roles, {300}, how + ", wedge weight 300");
   }
 
-  // `first` more exceptional vertices, then twice as many, … up to `most` at a time, near where the
-  // last try failed.
-  bool give_up_more(Variant& variant, Roles roles, int first, int most, const std::string& prefix) {
-    int total = 0;
-    for (int count = first; count <= most; count *= 2) {
-      if (best_.found && options_.exceptional >= 0) return true;
-      const int changed = demote_near(variant.mesh, variant.joints, last_.trouble, count, roles);
-      if (changed == 0) return false;
-      total += changed;
-      for (const double wedge : {30.0, 300.0}) {
-        if (attempt(
-                variant, roles, {wedge},
-                fmt::format("{}{}{} more exceptional", prefix, prefix.empty() ? "" : ", ", total)))
-          return true;
-        if (last_.success) break;
-      }
-    }
-    return false;
+  // The heavier wedges only where the lighter ones failed.
+  bool both_wedges_on(Variant& variant, const Roles& roles, const std::string& how) {
+    if (attempt(variant, roles, {30}, how)) return true;
+    return !last_.success && attempt(variant, roles, {300}, how + ", wedge weight 300");
   }
 
   void last_resort() {
     last_ = attempt_on_initial_domain(coarse_.mesh, coarse_.joints, {}, checkpoint_);
     if (last_.success)
-      best_ = {true,           last_,    coarse_.mesh,
-               coarse_.joints, &coarse_, "every boundary vertex exceptional"};
+      best_ = {true,
+               last_,
+               coarse_.mesh,
+               coarse_.joints,
+               &coarse_,
+               last_.roles,
+               "every boundary vertex exceptional"};
     gave_up_ = true;
   }
 
@@ -302,7 +373,7 @@ class Ladder {
     out.remedies.emplace_back("the initial mesh, every vertex exceptional");
   }
 
-  static constexpr long kWork = 12000;
+  static constexpr long kWork = 8000;
   static constexpr int kSearchable = 20000;
   static constexpr int kRefinable = 300;  // larger meshes are not refined as a whole
   const Options& options_;
