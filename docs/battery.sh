@@ -40,10 +40,13 @@ one() {
     return
   fi
   rm -f "$BATTERY_OUT/$name.c1.json" # a result of an earlier run must not pass for one of this
+  # Whoever ends the battery ends the run: no STATUS then, and xargs stops at 255. For the same reason
+  # the run stays in the foreground, where the signal reaches it.
+  trap 'exit 255' INT TERM HUP
   start=$EPOCHREALTIME
   # RUN_OPTIONS is a list of words on purpose.
   # shellcheck disable=SC2086
-  ${TIMEOUT:+timeout -k 10 "$TIMEOUT"} \
+  ${TIMEOUT:+timeout --foreground -k 10 "$TIMEOUT"} \
     "$BATTERY_BIN" run "$1" -o "$BATTERY_OUT" --threads 1 --formats "$FORMATS" $RUN_OPTIONS \
     >"$log" 2>&1 </dev/null || status=$?
   # A program that does not heed the first signal is killed: timeout then says 137.

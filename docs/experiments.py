@@ -129,7 +129,7 @@ def misses(column):
     if not missed:
         return ""
     rows = [run.cells() + [run.remedies or f"({run.last_words})"] for run in missed]
-    return f"### {column.title}\n\n{markdown_table(COLUMNS + ['remedies'], rows)}"
+    return f"### {column.title}\n\n{markdown_table(COLUMNS + ['remedies'], rows, 1, -1)}"
 
 
 def write_csv(file, columns):
@@ -159,8 +159,8 @@ def write_pictures(folder, columns):
     seconds = values(lambda run: run.seconds)
     bounds = [[column.bound for column in row] for row in rows]
     pictures = {
-        "surplus": sheet("Surplus", "shapes by exceptional vertices beyond the minimum; none: no result",
-                         surplus, ClassBins(SURPLUS_BINS)),
+        "surplus": sheet("Surplus", "shapes by exceptional vertices beyond the minimum; "
+                         "none: no result", surplus, ClassBins(SURPLUS_BINS)),
         "g": sheet("Distortion bound g", "shapes, logarithmic axis; broken line: what was asked; ∞: or no result",
                    g, LogBins(flat(g)), "∞", bounds),
         "seconds": sheet("Seconds", "shapes by wall time, logarithmic axis", seconds,
@@ -188,8 +188,8 @@ def write_page(out, docs):
              "## Summary", summary_table(columns), "## Histograms"]
     parts += write_pictures(docs / "pictures", columns)
     missed = [misses(column) for column in columns]
-    parts += ["## Every miss", "Status not 0, or a surplus above 0; without a result, in brackets, what was said last."] + (
-        missed if any(missed) else ["None."])
+    parts += ["## Every miss", "Status not 0, or a surplus above 0; without a result, in brackets, "
+              "what was said last."] + (missed if any(missed) else ["None."])
     write_csv(docs / "sets.csv", columns)
     (docs / "sets.md").write_text(page("Random shapes, sets A, B and C", commands, parts),
                                   encoding="utf-8")

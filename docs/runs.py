@@ -59,8 +59,10 @@ def runs_in(folder):
     return runs
 
 
-def markdown_table(head, rows, align_right_from=1):
-    marks = ["---" if k < align_right_from else "---:" for k in range(len(head))]
+def markdown_table(head, rows, align_right_from=1, align_right_to=None):
+    """`align_right_from` and `align_right_to` bound the columns of numbers like a slice."""
+    numbers = range(len(head))[align_right_from:align_right_to]
+    marks = ["---:" if k in numbers else "---" for k in range(len(head))]
     return "\n".join("| " + " | ".join(row) + " |" for row in [head, marks] + rows)
 
 

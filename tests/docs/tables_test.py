@@ -6,9 +6,11 @@ import json
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from xml.etree import ElementTree
 
@@ -132,6 +134,28 @@ class Tables(unittest.TestCase):
         self.assertRegex(log, r"^thinking \| hard\nSTATUS 124\nWALL [1-9]\.\d\d\n$")
         self.assertIn("STATUS 0", (self.root / "out" / "one.log").read_text(encoding="utf-8"))
 
+    def test_a_battery_that_is_ended_leaves_no_status(self):
+        """The stand-in ends well at a signal, as the program does: that is no status of the input."""
+        self.program.write_text(PROGRAM.replace(
+            "exec sleep 30", "trap 'exit 5' TERM INT; for k in {1..300}; do sleep 0.1; done"),
+            encoding="utf-8")
+        (self.root / "slow.json").write_text("0", encoding="utf-8")
+        log = self.root / "out" / "slow.log"
+        for limit, number in (("", signal.SIGINT), ("20", signal.SIGINT), ("", signal.SIGTERM),
+                              ("20", signal.SIGTERM)):
+            log.unlink(missing_ok=True)
+            with subprocess.Popen(
+                    [str(ROOT / "docs" / "battery.sh"), str(self.program), str(self.root / "out"),
+                     str(self.root / "slow.json")], env={**os.environ, "TIMEOUT": limit},
+                    stderr=subprocess.DEVNULL, start_new_session=True) as battery:
+                while not (log.exists() and log.read_text(encoding="utf-8")):
+                    time.sleep(0.02)
+                time.sleep(0.2)
+                os.killpg(battery.pid, number)
+            time.sleep(0.5)
+            self.assertNotEqual(battery.returncode, 0)
+            self.assertNotIn("STATUS", log.read_text(encoding="utf-8"))
+
     def sets(self, count, **environment):
         subprocess.run([str(ROOT / "docs" / "sets.sh"), str(self.program), str(self.root / "sets"),
                         str(count)], env={**os.environ, **environment}, capture_output=True, check=True)
@@ -170,6 +194,7 @@ class Tables(unittest.TestCase):
         self.assertIn("| A-0002 | 0 | 12 | 4 | 3 | 1 | 2.0e-15 | 0.0e+00 | 11 |", text)
         self.assertNotIn("| A-0001 |", text)
         self.assertIn("| 300.01 | (thinking \\| hard) |", text)
+        self.assertIn("| seconds | remedies |\n| --- |" + " ---: |" * 9 + " --- |\n", text)
         self.assertNotIn("Not run", text)
         with open(docs / "sets.csv", encoding="utf-8", newline="") as stream:
             table = list(csv.DictReader(stream))
