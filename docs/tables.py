@@ -3,86 +3,25 @@
 """Markdown tables of what docs/battery.sh left in a folder.
 
 usage: docs/tables.py examples FOLDER > docs/examples.md
-       docs/tables.py corpus FOLDER [INPUTS] > docs/corpus.md
-       docs/tables.py sets FOLDER_A FOLDER_B FOLDER_C > docs/sets.md
+       docs/tables.py corpus FOLDER [INPUTS [SVG_FOLDER]] > docs/corpus.md
        docs/tables.py families FOLDER > docs/hard.md
+       docs/tables.py sets FOLDER [DOCS]
 
 A folder holds NAME.log (all that was printed, then "STATUS n" and "WALL seconds") and, where a
 result was written, NAME.c1.json; and machine.txt. Fails if a log has no STATUS or WALL line: a run
-that did not end must not pass for one that was never made. INPUTS is how the table's command names the input files
-(shapes/*.json).
+that did not end must not pass for one that was never made. INPUTS is how the table's command names
+the input files (shapes/*.json); SVG_FOLDER holds the runs of the same shapes, of the same names, read
+from SVG. The FOLDER of `sets` is what docs/sets.sh made; sets.md, sets.csv and pictures/sets-*.svg
+are written into DOCS (the folder of this script).
 """
 
-import json
-import math
 import pathlib
 import re
 import sys
 
-COLUMNS = ["name", "status", "triangles", "exceptional", "minimum", "surplus", "max d_ei",
-           "conformance", "g", "seconds"]
-LEGEND = """\
-`status` is the exit status of `c1mesh run` (README): 0 if everything asked holds and was verified.
-`exceptional` vertices, their `minimum` and `surplus` as in `docs/vocabulary.md`; `max d_ei` the largest
-C1 deviation and `conformance` the boundary's distance from the input, both relative to the extent;
-`g` the largest distortion bound g(t); `seconds` of wall time for the whole program, one thread.
-All but the seconds are read from the metrics of the result, which the verification recomputes from
-the result alone.
-"""
-
-
-class Run:
-    """One input: the log's end, and the metrics of its result if there is one."""
-
-    def __init__(self, log):
-        self.name = log.name[:-len(".log")]
-        text = log.read_text(encoding="utf-8", errors="replace")
-        status = re.findall(r"^STATUS (\d+)$", text, re.MULTILINE)
-        wall = re.findall(r"^WALL ([0-9.]+)$", text, re.MULTILINE)
-        if not status or not wall:
-            raise SystemExit(f"tables: {log} has no STATUS or WALL line: did the run end?")
-        self.status, self.seconds = int(status[-1]), float(wall[-1])
-        remedies = re.findall(r"^  remedies\s+(.*)$", text, re.MULTILINE)
-        self.remedies = remedies[-1] if remedies else ""
-        file = log.with_name(self.name + ".c1.json")
-        result = json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
-        self.metrics, self.parameters = result.get("metrics"), result.get("parameters", {})
-
-    @property
-    def g(self):
-        bound = self.metrics["mips_bound_max"]
-        return math.inf if bound is None else bound
-
-    def cells(self):
-        if self.metrics is None:
-            return [self.name, str(self.status)] + ["-"] * 7 + [f"{self.seconds:.2f}"]
-        m = self.metrics
-        return [self.name, str(self.status), str(m["triangles"]), str(m["exceptional"]),
-                str(m["exceptional_minimum"]), str(m["surplus"]), f"{m['d_ei']['max']:.1e}",
-                f"{m['conformance_max']:.1e}", f"{self.g:.4g}", f"{self.seconds:.2f}"]
-
-
-def runs_in(folder):
-    runs = [Run(log) for log in sorted(pathlib.Path(folder).glob("*.log"))]
-    if not runs:
-        raise SystemExit(f"tables: no logs in {folder}")
-    return runs
-
-
-def markdown_table(head, rows, align_right_from=1):
-    marks = ["---" if k < align_right_from else "---:" for k in range(len(head))]
-    return "\n".join("| " + " | ".join(row) + " |" for row in [head, marks] + rows)
-
-
-def quantile(values, share):
-    """By nearest rank."""
-    ordered = sorted(values)
-    return ordered[max(0, math.ceil(share * len(ordered)) - 1)]
-
-
-def counts(values):
-    return {value: values.count(value) for value in sorted(set(values))}
-
+import experiments
+from runs import (LEGEND, conditions, counts, full_table, markdown_table, page, quantile,
+                  run_options, runs_in)
 
 def summary_rows(runs):
     """(what, value) pairs, one way for every table."""
@@ -94,17 +33,22 @@ def summary_rows(runs):
     rows.append(["results written", str(len(done))])
     if done:
         surplus = [run.metrics["surplus"] for run in done]
-        rows += [["surplus, mean", f"{sum(surplus) / len(done):.2f}"],
+        rows += [["surplus 0", str(sum(value <= 0 for value in surplus))],
+                 ["surplus, mean", f"{sum(surplus) / len(done):.2f}"],
                  ["surplus, largest", str(max(surplus))],
                  ["max d_ei, median", f"{quantile([r.metrics['d_ei']['max'] for r in done], .5):.1e}"],
                  ["max d_ei, worst", f"{max(r.metrics['d_ei']['max'] for r in done):.1e}"],
                  ["conformance, worst", f"{max(r.metrics['conformance_max'] for r in done):.1e}"],
                  ["g, median", f"{quantile([r.g for r in done], .5):.4g}"],
+                 ["g at most 20", str(sum(r.g <= 20 for r in done))],
+                 ["g at most 100", str(sum(r.g <= 100 for r in done))],
                  ["g, worst", f"{max(r.g for r in done):.4g}"],
                  ["triangles, median", str(quantile([r.metrics["triangles"] for r in done], .5))],
                  ["domain overlaps itself", str(sum(r.metrics["domain_overlaps"] for r in done))]]
     return rows + [["seconds, median", f"{quantile(seconds, .5):.2f}"],
-                   ["seconds, worst", f"{max(seconds):.2f}"]]
+                   ["seconds, 90 %", f"{quantile(seconds, .9):.2f}"],
+                   ["seconds, worst", f"{max(seconds):.2f}"],
+                   ["seconds, all together", f"{sum(seconds):.0f}"]]
 
 
 def histogram(runs):
@@ -124,29 +68,6 @@ def histogram(runs):
     return "\n\n".join(parts)
 
 
-def conditions(folder, runs):
-    """Machine and parameters, as lines of text."""
-    lines = []
-    machine = pathlib.Path(folder) / "machine.txt"
-    if machine.exists():
-        lines.append("; ".join(machine.read_text(encoding="utf-8").split("\n")).strip("; ") + ".")
-    texts = {json.dumps({k: v for k, v in run.parameters.items() if k != "degree"},
-                        sort_keys=True) for run in runs if run.parameters}
-    if len(texts) > 1:
-        raise SystemExit(f"tables: the results in {folder} were made with different parameters")
-    lines += [f"Parameters: `{text}`." for text in texts]
-    return "\n".join(lines)
-
-
-def full_table(runs):
-    return markdown_table(COLUMNS, [run.cells() for run in runs])
-
-
-def page(title, commands, parts):
-    text = [f"# {title}", "Made by", "```sh\n" + "\n".join(commands) + "\n```"] + parts
-    return "\n\n".join(part.strip() for part in text if part.strip()) + "\n"
-
-
 def examples_page(folder):
     runs = runs_in(folder)
     examples = pathlib.Path(__file__).resolve().parent.parent / "examples"
@@ -158,40 +79,77 @@ def examples_page(folder):
                 [conditions(folder, runs), LEGEND, full_table(runs)] + pictures)
 
 
-def corpus_page(folder, inputs="shapes/*.json"):
+def differences(run, other):
+    """Names of the metrics that are not the same to the last bit; times are no metric here."""
+    if run.metrics is None or other.metrics is None:
+        return [] if run.metrics is other.metrics else ["result"]
+    return [key for key in run.metrics
+            if key != "seconds" and run.metrics[key] != other.metrics.get(key)]
+
+
+COUNTED = ["triangles", "exceptional", "exceptional_minimum", "surplus", "domain_overlaps"]
+
+
+def same_g(run, other):
+    """Within 1 %."""
+    return (run.metrics is not None and other.metrics is not None and
+            (run.g == other.g or abs(run.g - other.g) <= 0.01 * run.g))
+
+
+def svg_parts(runs, others):
+    """The same shapes read from SVG, compared with the JSON runs by name."""
+    known = {run.name: run for run in runs}
+    pairs = [(known[other.name], other) for other in others if other.name in known]
+    different = {run.name: differences(run, other) for run, other in pairs}
+    rows = [["shapes read both ways", str(len(pairs))],
+            ["read from JSON only", str(len(runs) - len(pairs))],
+            ["read from SVG only", str(len(others) - len(pairs))],
+            ["same status", str(sum(run.status == other.status for run, other in pairs))],
+            ["all metrics equal to the last bit", str(sum(not keys for keys in different.values()))]]
+    for key in COUNTED:
+        same = sum(key not in keys and "result" not in keys for keys in different.values())
+        rows.append([f"same {key.replace('_', ' ')}", str(same)])
+    rows.append(["g within 1 %", str(sum(same_g(*pair) for pair in pairs))])
+    parts = ["## The same shapes read from SVG", markdown_table(["", "all"], summary_rows(others)),
+             "Compared with the runs from JSON, shape by shape:", markdown_table(["", "shapes"], rows)]
+    listed = [[run.name, f"{run.status}, {other.status}"] + both_ways(run, other)
+              for run, other in pairs
+              if run.status != other.status or
+              not (different[run.name] == [] or same_g(run, other)) or
+              set(different[run.name]) & set(COUNTED)]
+    if listed:
+        head = ["name", "status", "triangles", "exceptional", "minimum", "surplus", "g"]
+        parts += ["Where status, a count or g (by more than 1 %) differs (from JSON, from SVG):",
+                  markdown_table(head, listed)]
+    return parts
+
+
+def both_ways(run, other):
+    """Triangles to surplus, and g, of both, one cell each."""
+    columns = [run.cells(), other.cells()]
+    return [", ".join(cells[k] for cells in columns) for k in (2, 3, 4, 5, 8)]
+
+
+def corpus_page(folder, inputs="shapes/*.json", svg_folder=None):
     runs = runs_in(folder)
-    commands = [f"docs/battery.sh build/release/bin/c1mesh out/corpus {inputs}",
-                "docs/tables.py corpus out/corpus > docs/corpus.md"]
+    others = runs_in(svg_folder) if svg_folder else []
+    commands = [f"docs/battery.sh build/release/bin/c1mesh out/corpus {inputs}"]
+    if others:
+        svg_inputs = re.sub(r"\bjson\b", "svg", inputs)
+        commands += [f"docs/battery.sh build/release/bin/c1mesh out/corpus-svg {svg_inputs}",
+                     f"docs/tables.py corpus out/corpus '{inputs}' out/corpus-svg > docs/corpus.md"]
+    else:
+        commands.append("docs/tables.py corpus out/corpus > docs/corpus.md")
     corpus = pathlib.Path(__file__).resolve().parent.parent / "tests" / "data" / "corpus"
     here = {file.stem for file in corpus.glob("*.json")}
     count = sum(run.name in here for run in runs)
     about = (f"The inputs are {len(runs)} real shapes: icons, clip art, glyphs of fonts, each named after "
              f"its source; {count} of them are in `tests/data/corpus`, with their licences.")
-    return page("Real shapes", commands,
-                [about, conditions(folder, runs), LEGEND, "## Summary",
-                 markdown_table(["", "all"], summary_rows(runs)), histogram(runs),
-                 "## Every shape", full_table(runs)])
-
-
-def sets_page(folders):
-    sets = [(letter, runs_in(folder), folder) for letter, folder in zip("ABC", folders)]
-    commands = []
-    for letter, runs, _ in sets:
-        commands += [f"c1mesh generate --set {letter} --count {len(runs)} --seed 1 -o out/{letter}-in",
-                     f"docs/battery.sh build/release/bin/c1mesh out/{letter} out/{letter}-in/*.json"]
-    commands.append("docs/tables.py sets out/A out/B out/C > docs/sets.md")
-    summaries = [dict(map(tuple, summary_rows(runs))) for _, runs, _ in sets]
-    keys = []
-    for rows in summaries:
-        keys += [key for key in rows if key not in keys]
-    keys.sort(key=lambda key: (key != "inputs", not key.startswith("status")))
-    parts = [conditions(sets[0][2], [run for _, runs, _ in sets for run in runs]), LEGEND,
-             "## Summary",
-             markdown_table([""] + [f"set {letter}" for letter, _, _ in sets],
-                            [[key] + [rows.get(key, "0") for rows in summaries] for key in keys])]
-    for letter, runs, _ in sets:
-        parts += [f"## Set {letter}", histogram(runs), full_table(runs)]
-    return page("Random shapes, sets A, B and C", commands, parts)
+    parts = [about, conditions(folder, runs), LEGEND, "## Summary",
+             markdown_table(["", "all"], summary_rows(runs)), histogram(runs)]
+    if others:
+        parts += svg_parts(runs, others)
+    return page("Real shapes", commands, parts + ["## Every shape", full_table(runs)])
 
 
 def family_cells(family, runs):
@@ -211,14 +169,6 @@ def family_cells(family, runs):
         cells += ["-"] * 6
     seconds = [run.seconds for run in runs]
     return cells + [f"{quantile(seconds, .5):.2f}", f"{max(seconds):.2f}"]
-
-
-def run_options(folder):
-    """What RUN_OPTIONS held, as an assignment before a command; nothing if it was empty."""
-    machine = pathlib.Path(folder) / "machine.txt"
-    text = machine.read_text(encoding="utf-8") if machine.exists() else ""
-    options = re.search(r"^options --threads 1 --formats \S+ (\S.*)$", text, re.MULTILINE)
-    return f'RUN_OPTIONS="{options.group(1).strip()}" ' if options else ""
 
 
 def families_page(folder):
@@ -248,12 +198,14 @@ def families_page(folder):
 def main(arguments):
     if len(arguments) == 2 and arguments[0] == "examples":
         text = examples_page(arguments[1])
-    elif len(arguments) in (2, 3) and arguments[0] == "corpus":
+    elif len(arguments) in (2, 3, 4) and arguments[0] == "corpus":
         text = corpus_page(*arguments[1:])
     elif len(arguments) == 2 and arguments[0] == "families":
         text = families_page(arguments[1])
-    elif len(arguments) == 4 and arguments[0] == "sets":
-        text = sets_page(arguments[1:])
+    elif len(arguments) in (2, 3) and arguments[0] == "sets":
+        docs = pathlib.Path(__file__).resolve().parent
+        experiments.write_page(arguments[1], arguments[2] if len(arguments) == 3 else docs)
+        text = ""
     else:
         print(__doc__, file=sys.stderr)
         return 2

@@ -9,7 +9,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PAGES = [ROOT / "README.md"] + sorted((ROOT / "docs").glob("*.md"))
 LINK = re.compile(r"\]\(([^)#\s]+)\)|src=\"([^\"]+)\"")
 PATH = re.compile(r"`((?:src|include|tests|docs|examples|cmake)/[\w./-]+)`")
-MADE_LATER = {"docs/corpus.md", "docs/sets.md"}  # by docs/tables.py
+MADE_LATER = {"docs/corpus.md", "docs/sets.md", "docs/sets.csv"}  # by docs/tables.py
 
 
 class Links(unittest.TestCase):
