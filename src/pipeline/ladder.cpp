@@ -195,35 +195,38 @@ class Ladder {
     give_up_more(*last, roles, prefix);
   }
 
-  // Two ways to more exceptional vertices, by turns and ever more: corners where they help the
-  // domain most, and vertices released near the trouble.
+  // More exceptional vertices, ever more, by turns: corners where they help the domain most, and
+  // vertices released near the trouble. What of them was not needed, `restore` takes back.
   void give_up_more(Variant& variant, Roles placed, const std::string& prefix) {
     constexpr int kMost = 16;
-    Roles released = roles_on(coarse_.joints, placed, variant.joints);
-    std::vector<int> trouble = last_.trouble;
+    Roles roles = roles_on(coarse_.joints, placed, variant.joints);
     const std::string start = prefix.empty() ? "" : prefix + ", ";
     for (int count = 1, added = 0, given_up = 0; count <= kMost; count *= 2) {
       if (best_.found && options_.exceptional >= 0) return;
       while (added < count && add_corner(placed)) ++added;
-      if (added == count &&
-          attempt(variant, roles_on(coarse_.joints, placed, variant.joints), {30},
-                  fmt::format("{}{} more exceptional by placement", start, added)))
-        return;
-      const int changed = demote_near(variant.mesh, variant.joints, trouble, count, released);
-      given_up += changed;
-      if (changed > 0 &&
-          both_wedges_on(variant, released, fmt::format("{}{} more exceptional", start, given_up)))
-        return;
-      trouble = last_.trouble;
+      add_what_gives_up(roles_on(coarse_.joints, placed, variant.joints), roles);
+      const auto how = [&] {
+        std::string text = fmt::format("{}{} more exceptional by placement", start, added);
+        if (given_up > 0) text += fmt::format(", {} near the trouble", given_up);
+        return text;
+      };
+      if (both_wedges_on(variant, roles, how())) return;
+      given_up += demote_near(variant.mesh, variant.joints, last_.trouble, count, roles);
+      if (both_wedges_on(variant, roles, how())) return;
     }
+  }
+
+  static void add_what_gives_up(const Roles& from, Roles& roles) {
+    for (std::size_t l = 0; l < roles.size(); ++l)
+      for (std::size_t k = 0; k < roles[l].size(); ++k)
+        if (gives_up_c1(from[l][k]) && !gives_up_c1(roles[l][k])) roles[l][k] = from[l][k];
   }
 
   // What was given up by the half dozen may not all have been needed: tries without ever smaller
   // parts of it.
   void restore() {
-    constexpr int kTries = 8;
-    constexpr long kPart = 2;  // of the work the search may do
-    work_ = kWork - kWork / kPart;
+    constexpr int kTries = 14;
+    work_ = 0;
     Variant& variant = *best_.variant;
     const Roles first = roles_on(coarse_.joints, first_roles_, variant.joints);
     const std::string how = best_.how + ", some of them restored";
