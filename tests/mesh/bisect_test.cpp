@@ -17,6 +17,7 @@
 #include "mesh/net_blossom.h"
 #include "mesh/shapes.h"
 #include "mesh/topology.h"
+#include "optimise/random_mesh.h"
 
 namespace c1mesh {
 namespace {
@@ -233,6 +234,38 @@ TEST(Bisect, WideTrianglesOfAFanAreCutThroughItsCentre) {
     }
   EXPECT_GT(wide, before.triangle_count());
   EXPECT_GT(unlike, 0);
+}
+
+// Right isosceles triangles around a point, each on the hypotenuse of the one before as its leg.
+// From the smallest the way to the longest edge leads through all of them, and an edge has its turn
+// only when the one behind it is cut. A chosen triangle is not worth that: four walks, then its own
+// edge.
+TEST(Bisect, WalksForAChosenTriangleAreFew) {
+  constexpr int kTriangles = 7;
+  std::vector<Point> points = {{0, 0}};
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<int> loop = {0};
+  for (int k = 0; k <= kTriangles; ++k) {
+    const std::complex<double> p = std::pow(std::complex<double>(1, 1), k);
+    points.emplace_back(p.real(), p.imag());
+    loop.push_back(k + 1);
+    if (k < kTriangles) triangles.push_back({0, k + 1, k + 2});
+  }
+  const CurvedMesh before = testing_tools::straight_mesh(3, points, triangles, {loop});
+  ASSERT_EQ(check_mesh(before), std::vector<std::string>());
+  const std::vector<char> nowhere(before.vertex_count(), 0);
+  CurvedMesh after = before;
+  bisect_triangles(after, {0}, nowhere);
+  EXPECT_EQ(check_mesh(after), std::vector<std::string>());
+  expect_cut(before, after, {0});
+  expect_first_parts(before, after);
+  EXPECT_EQ(after.vertex_count(), before.vertex_count() + 5);
+  // From the largest one cut is enough: its longest edge has nothing behind it.
+  CurvedMesh last = before;
+  bisect_triangles(last, {kTriangles - 1}, nowhere);
+  EXPECT_EQ(last.vertex_count(), before.vertex_count() + 1);
+  EXPECT_EQ(last.triangle_count(), before.triangle_count() + 1);
+  EXPECT_LT((last.domain.back() - 0.5 * points.back()).norm(), 1e-14);
 }
 
 // z -> z^3 over triangles around an edge from 1 to exp(110 i degrees): its image turns by 330
