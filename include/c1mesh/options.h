@@ -13,7 +13,7 @@ struct Options {
   int degree = 3;           ///< at least 3; raised to the input's highest degree
   int exceptional = -1;     ///< how many exceptional vertices are allowed; -1: fewest within alpha
   double refine = 0;        ///< at most so many times the triangles, for as low a g as that gives;
-                            ///< 0: up to 2 times, while g exceeds 20
+                            ///< at least 1 (none), or 0: up to 2 times, while g exceeds 20
   bool no_overlap = false;  ///< the domain must not overlap itself in the plane
   double corner_angle = 8;  ///< degrees: a joint that turns by more is a corner
   int threads = 0;          ///< 0: as many as there are cores; the result does not depend on it

@@ -175,6 +175,10 @@ void add_method_options(CLI::App& cli, RunArguments& arguments) {
          "How many exceptional vertices are allowed: N, or min (the fewest within the bound)")
       ->capture_default_str()
       ->check(check_exceptional);
+  cli.add_option("--refine", options.refine,
+                 "At most so many times the triangles, for as low a g as that gives (1: none). "
+                 "Without it: up to twice, while g exceeds 20")
+      ->check(at_least(1));
   cli.add_flag("--no-overlap", options.no_overlap,
                "The domain must not overlap itself in the plane");
   cli.add_option("--corner-angle", options.corner_angle,

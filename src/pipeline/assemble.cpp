@@ -100,6 +100,7 @@ Result assemble_result(const Shape& shape, const std::vector<RegionSolution>& re
                        {"exceptional", static_cast<long long>(options.exceptional)},
                        {"corner_angle", options.corner_angle},
                        {"seed", static_cast<long long>(options.seed)}};
+  if (options.refine > 0) result.parameters.emplace_back("refine", options.refine);
   if (options.no_overlap) result.parameters.emplace_back("no_overlap", true);
   return result;
 }

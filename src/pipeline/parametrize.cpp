@@ -31,6 +31,8 @@ void validate(const Options& options) {
   if (!(options.alpha >= 1)) throw std::invalid_argument("alpha must be at least 1");
   if (options.degree < 3 || options.degree > 20)
     throw std::invalid_argument("degree must be from 3 to 20");
+  if (options.refine != 0 && !(options.refine >= 1 && std::isfinite(options.refine)))
+    throw std::invalid_argument("refine must be 0 or at least 1");
   if (!(options.corner_angle >= 0 && options.corner_angle <= 180))
     throw std::invalid_argument("corner_angle must be from 0 to 180 degrees");
   if (!(options.time_limit >= 0)) throw std::invalid_argument("time_limit must not be negative");

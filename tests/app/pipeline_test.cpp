@@ -2,6 +2,8 @@
 // The program from an input file to verified results.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "c1mesh/result.h"
@@ -52,6 +54,31 @@ TEST(Pipeline, PuzzlePieceHasNoExceptionalVertex) {
   ASSERT_EQ(ran.status, 0) << ran.err;
   const auto json = nlohmann::json::parse(folder.read("out/puzzle.c1.json"));
   EXPECT_TRUE(json["exceptional_vertices"].empty());
+}
+
+// 1 leaves the triangles as they are, 3 gives three times as many at the most.
+TEST(Pipeline, RefineLowersTheDistortionWithinItsTrianglesAndIsRecorded) {
+  const Folder folder;
+  std::map<double, Result> results;
+  for (const char* factor : {"1", "3"}) {
+    const std::string out = std::string("out") + factor;
+    const Ran ran = folder.run("run --refine " + std::string(factor) + " -o " + out + " " +
+                               example("blob.svg"));
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    const Result result = parse_result(folder.read(out + "/blob.c1.json"), "blob");
+    const auto recorded =
+        std::find_if(result.parameters.begin(), result.parameters.end(),
+                     [](const auto& parameter) { return parameter.first == "refine"; });
+    ASSERT_NE(recorded, result.parameters.end());
+    EXPECT_EQ(std::get<double>(recorded->second), std::stod(factor));
+    results[std::stod(factor)] = result;
+  }
+  const Metrics plain = verify(results[1]).metrics, fine = verify(results[3]).metrics;
+  EXPECT_GT(fine.triangles, plain.triangles);
+  EXPECT_LE(fine.triangles, 3 * plain.triangles);
+  EXPECT_LT(fine.mips_bound_max, plain.mips_bound_max);
+  EXPECT_LE(fine.d_ei.max, 1e-12);
+  EXPECT_LE(fine.conformance_max, 1e-13);
 }
 
 TEST(Pipeline, BytesDoNotDependOnTheNumberOfThreads) {

@@ -73,6 +73,10 @@ TEST(BadOptions, AreRefused) {
   refused([](Options& o) { o.alpha = kNan; });
   refused([](Options& o) { o.mips_bound = 2; });
   refused([](Options& o) { o.mips_bound = kNan; });
+  refused([](Options& o) { o.refine = 0.5; });
+  refused([](Options& o) { o.refine = -1; });
+  refused([](Options& o) { o.refine = kNan; });
+  refused([](Options& o) { o.refine = std::numeric_limits<double>::infinity(); });
   refused([](Options& o) { o.corner_angle = -1; });
   refused([](Options& o) { o.corner_angle = 181; });
 }
