@@ -68,7 +68,9 @@ CurvedMesh expect_sound(const MeshInput& input, double bound = 10, bool slender 
   EXPECT_EQ(joined(check_mesh(mesh)), "");
   EXPECT_LE(report.mips_bound, bound);
   EXPECT_EQ(report.notes.size(), slender ? 1u : 0u) << joined(report.notes);
-  if (slender) EXPECT_EQ(joined(report.notes).rfind("slender triangles (else ", 0), 0u);
+  if (slender) {
+    EXPECT_EQ(joined(report.notes).rfind("slender triangles (else ", 0), 0u);
+  }
   double largest = 0, area = 0;
   for (int t = 0; t < mesh.triangle_count(); ++t)
     largest = std::max(largest, triangle_bound(mesh, t));
