@@ -121,7 +121,7 @@ class Search {
       tell("trade-off");
       if (options_.time_limit > 0 && seconds() > options_.time_limit) throw TimeLimitReached();
     };
-    region.solution = solve_region(region.mesh, settings, checkpoint);
+    region.solution = solve_region(region.mesh, settings, checkpoint, region.solution.first_roles);
     if (region.solution.interrupted) curve_.end = TradeOffEnd::time_limit;
     return !region.solution.interrupted;
   }
