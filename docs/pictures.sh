@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: docs/pictures.sh [BIN]      (BIN: build/release/bin/c1mesh)
 # Draws every example anew: docs/pictures/NAME.svg is what `c1mesh run examples/NAME.* -o FOLDER`
-# writes as FOLDER/NAME.svg. Then the table of examples, docs/examples.md, and the picture of the
+# writes as FOLDER/NAME.svg. Then one trade-off (NAME.tradeoff.svg, with --trade-off), the table of examples, docs/examples.md, and the picture of the
 # modules.
 set -euo pipefail
 bin=$(readlink -f "${1:-$(dirname "${BASH_SOURCE[0]}")/../build/release/bin/c1mesh}")
@@ -15,6 +15,8 @@ mkdir -p docs/pictures
 for picture in "$out"/*.svg; do
   cp "$picture" docs/pictures/
 done
+"$bin" --quiet run examples/puzzle.svg -o "$out/trade-off" --trade-off
+cp "$out/trade-off/puzzle.tradeoff.svg" docs/pictures/
 python3 docs/tables.py examples "$out" >"$out/examples.md"
 cp "$out/examples.md" docs/examples.md
 python3 docs/architecture.py

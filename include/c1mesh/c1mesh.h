@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything: read, check, parametrize, verify, write, generate.
+// Everything: read, check, parametrize, trade off, verify, write, generate.
 #pragma once
 
 #include "c1mesh/error.h"
@@ -9,6 +9,7 @@
 #include "c1mesh/progress.h"
 #include "c1mesh/result.h"
 #include "c1mesh/shape.h"
+#include "c1mesh/trade_off.h"
 #include "c1mesh/types.h"
 #include "c1mesh/verify.h"
 #include "c1mesh/version.h"

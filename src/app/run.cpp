@@ -10,6 +10,7 @@
 #include "app/interrupt.h"
 #include "app/summary.h"
 #include "c1mesh/parametrize.h"
+#include "c1mesh/trade_off.h"
 #include "c1mesh/write.h"
 
 namespace c1mesh::app {
@@ -20,6 +21,7 @@ struct RunArguments {
   std::string folder;
   std::vector<std::string> formats = {"json", "svg"};
   std::string exceptional = "min";
+  bool trade_off = false;
   ReadOptions read;
   Options options;
 };
@@ -65,6 +67,27 @@ std::vector<std::string> write_outputs(const Run& run, const Result& result) {
   return paths;
 }
 
+// The time limit is for both, the result first.
+Status run_trade_off(Run& run, const Shape& shape, const Outcome& outcome) {
+  constexpr double kNoneLeft = 1e-9;  // 0 would be no limit
+  Options options = run.arguments.options;
+  if (options.time_limit > 0)
+    for (const auto& [stage, seconds] : outcome.seconds)
+      if (stage == "total") options.time_limit = std::max(options.time_limit - seconds, kNoneLeft);
+  const TradeOff curve = trade_off(shape, options, run.console.progress(shape.name));
+  run.console.clear_bar();
+  const std::string stem = run.arguments.folder + "/" + shape.name + ".tradeoff";
+  const std::vector<OutputFile> files = {{stem + ".json", format_trade_off(curve)},
+                                         {stem + ".svg", draw_trade_off(curve)}};
+  std::vector<std::string> paths;
+  for (const OutputFile& file : files) {
+    deliver(file.path, file.text);
+    paths.push_back(file.path);
+  }
+  run.console.say(trade_off_lines(curve, paths));
+  return curve.end == TradeOffEnd::time_limit ? Status::limit : Status::ok;
+}
+
 Status status_of(const Outcome& outcome, const Options& options) {
   if (outcome.time_limit_hit) return Status::limit;
   return missed_bounds(outcome, options).empty() ? Status::ok : Status::bound_missed;
@@ -102,7 +125,8 @@ Status run_drawing(Run& run, const std::string& input, Drawing drawing) {
   const std::vector<std::string> files = write_outputs(run, outcome.result);
   run.console.say(summary(run.console, outcome, options, files));
   run.console.detail(item_lines(run.console, outcome.report));
-  return status_of(outcome, options);
+  const Status status = status_of(outcome, options);
+  return run.arguments.trade_off ? worse(status, run_trade_off(run, shape, outcome)) : status;
 }
 
 Status run_input(Run& run, const std::string& input) {
@@ -211,7 +235,13 @@ Command add_run(CLI::App& app) {
       ->check(CLI::IsMember({"json", "svg", "vtu"}));
   cli->add_flag("--together", arguments->read.together,
                 "Take a whole SVG drawing as one arrangement, unfilled lines as features");
+  cli->add_flag("--trade-off", arguments->trade_off,
+                "Also NAME.tradeoff.json and .svg: g against the number of exceptional vertices");
   add_method_options(*cli, *arguments);
+  cli->final_callback([arguments] {
+    if (arguments->trade_off && arguments->folder == "-")
+      throw CLI::ValidationError("--trade-off", "needs a folder to write to");
+  });
   return {cli, [arguments](Console& console) { return run_inputs(console, *arguments); }};
 }
 

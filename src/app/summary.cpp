@@ -104,6 +104,17 @@ std::string summary(const Console& console, const Outcome& outcome, const Option
   return out + verdict_row(console, outcome, options);
 }
 
+std::string trade_off_lines(const TradeOff& curve, const std::vector<std::string>& files) {
+  std::string out = printable(curve.name) + ": g against exceptional vertices";
+  for (const TradeOffPoint& p : curve.points)
+    out += row(
+        fmt::format("{} exceptional", p.exceptional),
+        fmt::format("g max {:.4g}, median {:.4g}; {} triangles{}{}", p.g, p.g_median, p.triangles,
+                    p.c1 ? "" : "; not certified C1", p.dominated ? "; no better than fewer" : ""));
+  if (curve.end == TradeOffEnd::time_limit) out += row("end", "the time limit cut it short");
+  return out + row("files", joined(files, ", ", "none"));
+}
+
 std::string item_lines(const Console& console, const VerifyReport& report) {
   std::string out;
   for (const VerifyItem& item : report.items) {

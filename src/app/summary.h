@@ -8,6 +8,7 @@
 #include "app/console.h"
 #include "c1mesh/options.h"
 #include "c1mesh/parametrize.h"
+#include "c1mesh/trade_off.h"
 
 namespace c1mesh::app {
 
@@ -17,6 +18,9 @@ std::vector<std::string> missed_bounds(const Outcome& outcome, const Options& op
 /// Several lines without a final newline.
 std::string summary(const Console& console, const Outcome& outcome, const Options& options,
                     const std::vector<std::string>& files);
+
+/// The curve, a line per point, without a final newline.
+std::string trade_off_lines(const TradeOff& curve, const std::vector<std::string>& files);
 
 /// "name  verdict  message" for every item of a verification.
 std::string item_lines(const Console& console, const VerifyReport& report);

@@ -36,11 +36,13 @@ struct Best {
 
 class Ladder {
  public:
-  Ladder(const CurvedMesh& initial, const Options& options, const Checkpoint& checkpoint)
+  Ladder(const CurvedMesh& initial, const Options& options, const Checkpoint& checkpoint,
+         const Roles& start)
       : options_(options),
         checkpoint_(checkpoint),
         bound_(options.alpha * options.mips_bound),
-        coarse_{initial, find_joints(initial, options.corner_angle), {}} {}
+        coarse_{initial, find_joints(initial, options.corner_angle), {}},
+        first_roles_(start) {}
 
   RegionSolution climb() {
     RegionSolution out;
@@ -168,7 +170,7 @@ class Ladder {
   }
 
   void search() {
-    Roles roles = placed_roles();
+    Roles roles = first_roles_.empty() ? placed_roles() : first_roles_;
     while (count_exceptional(roles) < options_.exceptional && add_corner(roles)) {
     }
     first_roles_ = roles;
@@ -332,6 +334,7 @@ class Ladder {
 
   void write(RegionSolution& out) const {
     out.gave_up = gave_up_ || !best_.found;
+    out.first_roles = first_roles_;
     if (!best_.found) {
       give_up_everything(out);
       return;
@@ -395,8 +398,8 @@ class Ladder {
 }  // namespace
 
 RegionSolution solve_region(const CurvedMesh& initial, const Options& options,
-                            const Checkpoint& checkpoint) {
-  return Ladder(initial, options, checkpoint).climb();
+                            const Checkpoint& checkpoint, const Roles& start) {
+  return Ladder(initial, options, checkpoint, start).climb();
 }
 
 }  // namespace c1mesh

@@ -19,6 +19,7 @@ struct RegionSolution {
   std::vector<std::array<int, 2>> relaxed;
   double g = 0;
   std::vector<std::string> remedies;
+  Roles first_roles;         ///< of the first try, on the initial mesh
   bool gave_up = false;      ///< the last resort: no boundary vertex keeps C1
   bool interrupted = false;  ///< the time limit cut the search short
 };
@@ -27,8 +28,9 @@ struct RegionSolution {
 struct TimeLimitReached {};
 
 /// `bound`: g asked for (alpha mu). The checkpoint may throw TimeLimitReached, after which the best
-/// valid state so far is returned, or anything else, which is passed on.
+/// valid state so far is returned, or anything else, which is passed on. `start`, if not empty:
+/// roles to which exceptional vertices are added, the first roles of a solution with fewer.
 RegionSolution solve_region(const CurvedMesh& initial, const Options& options,
-                            const Checkpoint& checkpoint);
+                            const Checkpoint& checkpoint, const Roles& start = {});
 
 }  // namespace c1mesh

@@ -6,12 +6,11 @@
 #include <tbb/info.h>
 
 #include <chrono>
-#include <cmath>
-#include <stdexcept>
 
 #include "pipeline/assemble.h"
 #include "pipeline/ladder.h"
 #include "pipeline/region_input.h"
+#include "pipeline/validate.h"
 
 namespace c1mesh {
 namespace {
@@ -25,19 +24,6 @@ class Clock {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-void validate(const Options& options) {
-  if (!(options.mips_bound > 2)) throw std::invalid_argument("mips_bound must exceed 2");
-  if (!(options.alpha >= 1)) throw std::invalid_argument("alpha must be at least 1");
-  if (options.degree < 3 || options.degree > 20)
-    throw std::invalid_argument("degree must be from 3 to 20");
-  if (options.refine != 0 && !(options.refine >= 1 && std::isfinite(options.refine)))
-    throw std::invalid_argument("refine must be 0 or at least 1");
-  if (!(options.corner_angle >= 0 && options.corner_angle <= 180))
-    throw std::invalid_argument("corner_angle must be from 0 to 180 degrees");
-  if (!(options.time_limit >= 0)) throw std::invalid_argument("time_limit must not be negative");
-  if (options.threads < 0) throw std::invalid_argument("threads must not be negative");
-}
 
 bool within(const Outcome& outcome, const Options& options) {
   const Metrics& m = outcome.result.metrics;

@@ -141,6 +141,34 @@ TEST(Pipeline, StandardOutputCarriesTheResultAlone) {
   EXPECT_TRUE(folder.files().empty());
 }
 
+// The result is what it is without the option.
+TEST(Pipeline, TradeOffIsWrittenBesideTheResult) {
+  const Folder folder;
+  ASSERT_EQ(folder.run("run -o plain " + example("blob.svg")).status, 0);
+  const Ran ran = folder.run("run --trade-off --threads 1 -o out " + example("blob.svg"));
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(folder.files("out"),
+            (std::vector<std::string>{"blob.c1.json", "blob.svg", "blob.tradeoff.json",
+                                      "blob.tradeoff.svg"}));
+  EXPECT_EQ(folder.read("out/blob.c1.json"), folder.read("plain/blob.c1.json"));
+  const auto json = nlohmann::json::parse(folder.read("out/blob.tradeoff.json"));
+  for (const auto& point : json["points"])
+    EXPECT_TRUE(contains(ran.err, std::to_string(point["exceptional"].get<int>()) + " exceptional"))
+        << ran.err;
+  ASSERT_EQ(folder.run("run --trade-off --threads 4 -o again " + example("blob.svg")).status, 0);
+  for (const char* file : {"/blob.tradeoff.json", "/blob.tradeoff.svg"})
+    EXPECT_EQ(folder.read(std::string("again") + file), folder.read(std::string("out") + file));
+}
+
+TEST(Pipeline, TheTimeLimitIsForResultAndTradeOffTogether) {
+  const Folder folder;
+  const Ran ran = folder.run("run --trade-off --time-limit 1e-9 -o out " + example("blob.svg"));
+  EXPECT_EQ(ran.status, 5) << ran.err;
+  const auto json = nlohmann::json::parse(folder.read("out/blob.tradeoff.json"));
+  EXPECT_EQ(json["end"], "time limit");
+  EXPECT_TRUE(json["points"].empty());
+}
+
 // One moved control point breaks C1 or conformance: verify must see it.
 TEST(Pipeline, VerifySeesAMovedControlPoint) {
   const Folder folder;

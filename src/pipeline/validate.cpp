@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/validate.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace c1mesh {
+
+void validate(const Options& options) {
+  if (!(options.mips_bound > 2)) throw std::invalid_argument("mips_bound must exceed 2");
+  if (!(options.alpha >= 1)) throw std::invalid_argument("alpha must be at least 1");
+  if (options.degree < 3 || options.degree > 20)
+    throw std::invalid_argument("degree must be from 3 to 20");
+  if (options.refine != 0 && !(options.refine >= 1 && std::isfinite(options.refine)))
+    throw std::invalid_argument("refine must be 0 or at least 1");
+  if (!(options.corner_angle >= 0 && options.corner_angle <= 180))
+    throw std::invalid_argument("corner_angle must be from 0 to 180 degrees");
+  if (!(options.time_limit >= 0)) throw std::invalid_argument("time_limit must not be negative");
+  if (options.threads < 0) throw std::invalid_argument("threads must not be negative");
+}
+
+}  // namespace c1mesh
