@@ -126,6 +126,11 @@ class Ladder {
     settings.target = bound_;
     if (options_.refine > 0) settings.growth = options_.refine;
     refine(next, settings);
+    if (next.attempt.g > bound_) {
+      // Not reached: a lower aim takes more triangles at a time.
+      settings.target = RefineOptions().target;
+      refine(next, settings);
+    }
     const auto rank = [&](const Attempt& a) {
       return std::make_tuple(!(a.g <= bound_), count_exceptional(a.roles), a.g);
     };
@@ -228,7 +233,7 @@ class Ladder {
   // parts of it.
   void restore() {
     constexpr int kTries = 14;
-    work_ = 0;
+    work_ = kWork / 3;  // less than the search may do
     Variant& variant = *best_.variant;
     const Roles first = roles_on(coarse_.joints, first_roles_, variant.joints);
     const std::string how = best_.how + ", some of them restored";
@@ -379,7 +384,7 @@ class Ladder {
     out.remedies.emplace_back("the initial mesh, every vertex exceptional");
   }
 
-  static constexpr long kWork = 8000;
+  static constexpr long kWork = 12000;
   static constexpr int kSearchable = 20000;
   static constexpr int kRefinable = 300;  // larger meshes are not refined as a whole
   const Options& options_;
