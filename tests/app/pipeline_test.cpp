@@ -115,7 +115,8 @@ TEST(Pipeline, OneBadInputDoesNotStopTheOthersAndDecidesTheStatus) {
 // polygon to a smooth blob is far from one, so alpha * mips-bound = 2.01 cannot hold.
 TEST(Pipeline, AMissedBoundIsStatusFour) {
   const Folder folder;
-  const Ran ran = folder.run("run --alpha 1 --mips-bound 2.01 -o out " + example("blob.svg"));
+  const Ran ran =
+      folder.run("run --exceptional 3 --alpha 1 --mips-bound 3 -o out " + example("blob.svg"));
   EXPECT_EQ(ran.status, 4) << ran.err;
   EXPECT_TRUE(contains(ran.err, "exceeds")) << ran.err;
   EXPECT_EQ(folder.files("out"), (std::vector<std::string>{"blob.c1.json", "blob.svg"}));
