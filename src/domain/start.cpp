@@ -93,12 +93,6 @@ void place_on_convex_polygon(const CurvedMesh& mesh, const Joints& joints, const
   }
 }
 
-PointMatrix initial_points(const CurvedMesh& mesh) {
-  PointMatrix points(mesh.vertex_count(), 2);
-  for (int v = 0; v < mesh.vertex_count(); ++v) points.row(v) = mesh.domain[v].transpose();
-  return points;
-}
-
 }  // namespace
 
 PointMatrix unknowns_near_points(const PointMatrix& wanted, const Joints& joints,
@@ -115,6 +109,16 @@ PointMatrix unknowns_near_points(const PointMatrix& wanted, const Joints& joints
       unknowns.row(unknown) << -e.y(), e.x();
     }
   return unknowns;
+}
+
+PointMatrix domain_points(const CurvedMesh& mesh) {
+  PointMatrix points(mesh.vertex_count(), 2);
+  for (int v = 0; v < mesh.vertex_count(); ++v) points.row(v) = mesh.domain[v].transpose();
+  return points;
+}
+
+void set_domain(CurvedMesh& mesh, const PointMatrix& points) {
+  for (int v = 0; v < mesh.vertex_count(); ++v) mesh.domain[v] = points.row(v).transpose();
 }
 
 DomainShape shape_of_domain(int vertices, const Joints& joints, const DomainLayout& layout,
@@ -156,7 +160,7 @@ PointMatrix unknowns_of_shape(const DomainShape& shape, const Joints& joints,
 PointMatrix start_positions(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                             const DomainLayout& layout, Start start) {
   const int vertices = mesh.vertex_count();
-  const PointMatrix initial = initial_points(mesh);
+  const PointMatrix initial = domain_points(mesh);
   PointMatrix wanted = initial;
   if (start == Start::convex) {
     const int holes = static_cast<int>(mesh.loops.size()) - 1;

@@ -21,6 +21,10 @@ enum class Start {
 PointMatrix start_positions(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                             const DomainLayout& layout, Start start);
 
+/// The domain's vertices as rows, and back; `points` may have further rows.
+PointMatrix domain_points(const CurvedMesh& mesh);
+void set_domain(CurvedMesh& mesh, const PointMatrix& points);
+
 /// A domain independent of a layout: vertex positions and, by vertex, the vectors w of its bent
 /// joints with the length |d0| they go with. (From positions alone w could be had only up to an
 /// error of 1 / kappa roundings.)

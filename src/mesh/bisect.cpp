@@ -114,8 +114,8 @@ void bisect_triangles(CurvedMesh& mesh, const std::vector<int>& chosen,
                       const std::vector<char>& wide_at) {
   std::vector<int> left = chosen;
   std::vector<char> wide = wide_at;
-  // Halving does not always shorten an edge whose image is curved, so the walks may go on for ever;
-  // after a few passes what is left is cut directly, at least one triangle a pass.
+  // A walk may cut far away many times before it comes back to the chosen triangle; after a few
+  // passes what is left is cut directly, at least one triangle a pass.
   constexpr int kPatience = 4;
   for (int round = 0; !left.empty(); ++round) {
     wide.resize(mesh.vertex_count(), 0);

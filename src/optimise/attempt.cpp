@@ -43,9 +43,8 @@ Attempt attempt_region(const CurvedMesh& mesh, const Joints& joints, const Roles
   out.domain_stage = shape_of_domain(mesh.vertex_count(), joints, domain.layout, domain.unknowns);
 
   MapState state{domain.unknowns, mesh.control};
-  std::vector<C1Edge> asked = asked_edges(mesh, joints, roles);
-  const std::vector<C1Edge> more = joint_equations(mesh, joints, domain.layout, state.control);
-  asked.insert(asked.end(), more.begin(), more.end());
+  const std::vector<C1Edge> asked =
+      asked_equations(mesh, joints, roles, domain.layout, state.control);
   const DomainElements elements =
       domain_elements(mesh, joints, roles, domain.layout, options.domain.weights);
   JointOptions joint = options.joint;

@@ -32,9 +32,7 @@ Stage bisected(const Stage& stage, const std::vector<int>& chosen) {
   bisect_triangles(next.mesh, chosen, exceptional_vertices(stage));
   next.joints = find_joints_again(next.mesh, stage.joints);
   next.map.roles = roles_on(stage.joints, stage.map.roles, next.joints);
-  next.map.domain.points.resize(next.mesh.vertex_count(), 2);
-  for (int v = 0; v < next.mesh.vertex_count(); ++v)
-    next.map.domain.points.row(v) = next.mesh.domain[v].transpose();
+  next.map.domain.points = domain_points(next.mesh);
   return next;
 }
 
@@ -50,9 +48,8 @@ bool settle(Stage& stage, double before, double target, const ExactOptions& exac
   constexpr double kEnough = 0.75;
   const DomainLayout layout = make_layout(stage.mesh, stage.joints, stage.map.roles);
   MapState state{unknowns_of_shape(stage.map.domain, stage.joints, layout), stage.mesh.control};
-  std::vector<C1Edge> asked = asked_edges(stage.mesh, stage.joints, stage.map.roles);
-  const std::vector<C1Edge> more = joint_equations(stage.mesh, stage.joints, layout, state.control);
-  asked.insert(asked.end(), more.begin(), more.end());
+  const std::vector<C1Edge> asked =
+      asked_equations(stage.mesh, stage.joints, stage.map.roles, layout, state.control);
   const PointMatrix domain = (layout.exact * state.unknowns).topRows(stage.mesh.vertex_count());
   if (project_exactly(stage.mesh, layout, asked, state) >= kExact) return false;
   const auto measure = [&] {
@@ -77,8 +74,7 @@ bool settle(Stage& stage, double before, double target, const ExactOptions& exac
       state.control.begin(),
       state.control.begin() + static_cast<std::ptrdiff_t>(stage.mesh.control.size()));
   stage.mesh.control = stage.map.control;
-  for (int v = 0; v < stage.mesh.vertex_count(); ++v)
-    stage.mesh.domain[v] = domain.row(v).transpose();
+  set_domain(stage.mesh, domain);
   return true;
 }
 
@@ -88,8 +84,7 @@ void refine_where_distorted(const RefineOptions& options, const ExactOptions& ex
                             CurvedMesh& mesh, Joints& joints, Attempt& attempt,
                             const Checkpoint& checkpoint) {
   Stage stage{mesh, joints, attempt, {}};
-  for (int v = 0; v < mesh.vertex_count(); ++v)
-    stage.mesh.domain[v] = attempt.domain.points.row(v).transpose();
+  set_domain(stage.mesh, attempt.domain.points);
   stage.mesh.control = attempt.control;
   stage.g = distortion_bounds(mesh, attempt.domain.points, attempt.control);
   const double most = options.growth * mesh.triangle_count();

@@ -95,6 +95,15 @@ std::vector<C1Edge> asked_edges(const CurvedMesh& mesh, const Joints& joints, co
   return out;
 }
 
+std::vector<C1Edge> asked_equations(const CurvedMesh& mesh, const Joints& joints,
+                                    const Roles& roles, const DomainLayout& layout,
+                                    std::vector<Point>& control) {
+  std::vector<C1Edge> asked = asked_edges(mesh, joints, roles);
+  const std::vector<C1Edge> more = joint_equations(mesh, joints, layout, control);
+  asked.insert(asked.end(), more.begin(), more.end());
+  return asked;
+}
+
 JointReport optimise_jointly(const CurvedMesh& mesh, const DomainLayout& layout,
                              const std::vector<C1Edge>& asked, const DomainElements& elements,
                              const JointOptions& options, MapState& state,

@@ -13,6 +13,12 @@ namespace c1mesh {
 /// exceptional end.
 std::vector<C1Edge> asked_edges(const CurvedMesh& mesh, const Joints& joints, const Roles& roles);
 
+/// Those, and the equations of the mild joints' tips, whose auxiliary control points are appended
+/// to `control` (see joint_equations).
+std::vector<C1Edge> asked_equations(const CurvedMesh& mesh, const Joints& joints,
+                                    const Roles& roles, const DomainLayout& layout,
+                                    std::vector<Point>& control);
+
 struct JointOptions {
   double rho = 1000;          ///< C1 penalty, relative to the shape's area
   double domain_quality = 1;  ///< weight that keeps domain triangles near the domain stage's

@@ -82,13 +82,10 @@ class Ladder {
     fine.joints = find_joints_again(fine.mesh, coarse_.joints);
     if (!coarse_.warm.empty()) {
       CurvedMesh solved = coarse_.mesh;
-      for (int v = 0; v < solved.vertex_count(); ++v)
-        solved.domain[v] = coarse_.warm.points.row(v).transpose();
+      set_domain(solved, coarse_.warm.points);
       refine(solved);
       fine.warm.bends = coarse_.warm.bends;
-      fine.warm.points.resize(solved.vertex_count(), 2);
-      for (int v = 0; v < solved.vertex_count(); ++v)
-        fine.warm.points.row(v) = solved.domain[v].transpose();
+      fine.warm.points = domain_points(solved);
     }
     return fine;
   }
@@ -346,8 +343,7 @@ class Ladder {
     }
     out.mesh = best_.mesh;
     out.joints = best_.joints;
-    for (int v = 0; v < out.mesh.vertex_count(); ++v)
-      out.mesh.domain[v] = best_.attempt.domain.points.row(v).transpose();
+    set_domain(out.mesh, best_.attempt.domain.points);
     out.mesh.control = best_.attempt.control;
     out.g = best_.attempt.g;
     if (!best_.how.empty()) out.remedies.push_back(best_.how);

@@ -139,4 +139,23 @@ double mesh_area(const CurvedMesh& mesh) {
   return area;
 }
 
+Barycentric locate(const CurvedMesh& mesh, int t, const Point& p) {
+  const auto& v = mesh.triangles[t];
+  const Point e1 = mesh.domain[v[1]] - mesh.domain[v[0]];
+  const Point e2 = mesh.domain[v[2]] - mesh.domain[v[0]];
+  const Point q = p - mesh.domain[v[0]];
+  const double area = cross(e1, e2), b = cross(q, e2) / area, c = cross(e1, q) / area;
+  return {1 - b - c, b, c};
+}
+
+Point map_at(const CurvedMesh& mesh, const Point& p) {
+  int best = 0;
+  double inside = -1e300;
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const double least = locate(mesh, t, p).minCoeff();
+    if (least > inside) inside = least, best = t;
+  }
+  return evaluate(net_of(mesh, best), mesh.degree, locate(mesh, best, p));
+}
+
 }  // namespace c1mesh::test

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/initial_mesh.h"
+#include "mesh/net_blossom.h"
 
 namespace c1mesh::test {
 
@@ -40,5 +41,11 @@ double green_area(const std::vector<BezierCurve>& curves);
 
 /// The signed area covered by a mesh: the mean of a triangle's det coefficients is twice its area.
 double mesh_area(const CurvedMesh& mesh);
+
+/// The barycentric coordinates of a point of the domain in triangle t.
+Barycentric locate(const CurvedMesh& mesh, int t, const Point& p);
+
+/// The mesh's map from the domain to the shape; outside, the nearest triangle's polynomial.
+Point map_at(const CurvedMesh& mesh, const Point& p);
 
 }  // namespace c1mesh::test

@@ -20,26 +20,6 @@ CurvedMesh sample(int degree, unsigned seed = 2) {
                       {}, report);
 }
 
-Barycentric locate(const CurvedMesh& mesh, int t, const Point& p) {
-  const auto& v = mesh.triangles[t];
-  const Point e1 = mesh.domain[v[1]] - mesh.domain[v[0]],
-              e2 = mesh.domain[v[2]] - mesh.domain[v[0]];
-  const Point q = p - mesh.domain[v[0]];
-  const double area = cross(e1, e2), b = cross(q, e2) / area, c = cross(e1, q) / area;
-  return {1 - b - c, b, c};
-}
-
-// The map from the plane of the domain to the shape.
-Point map(const CurvedMesh& mesh, const Point& p) {
-  int best = 0;
-  double inside = -1e300;
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    const double least = locate(mesh, t, p).minCoeff();
-    if (least > inside) inside = least, best = t;
-  }
-  return evaluate(net_of(mesh, best), mesh.degree, locate(mesh, best, p));
-}
-
 void expect_same_map(const CurvedMesh& before, const CurvedMesh& after) {
   EXPECT_EQ(check_mesh(after), std::vector<std::string>());
   std::mt19937 random(17);
@@ -49,7 +29,7 @@ void expect_same_map(const CurvedMesh& before, const CurvedMesh& after) {
     w /= w.sum();
     Point p = Point::Zero();
     for (int k = 0; k < 3; ++k) p += w[k] * before.domain[before.triangles[t][k]];
-    EXPECT_LT((map(before, p) - map(after, p)).norm(), 1e-13);
+    EXPECT_LT((map_at(before, p) - map_at(after, p)).norm(), 1e-13);
   }
 }
 
