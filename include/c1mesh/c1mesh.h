@@ -9,6 +9,7 @@
 #include "c1mesh/progress.h"
 #include "c1mesh/result.h"
 #include "c1mesh/shape.h"
+#include "c1mesh/trace.h"
 #include "c1mesh/trade_off.h"
 #include "c1mesh/types.h"
 #include "c1mesh/verify.h"

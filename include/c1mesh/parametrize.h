@@ -6,6 +6,7 @@
 #include "c1mesh/progress.h"
 #include "c1mesh/result.h"
 #include "c1mesh/shape.h"
+#include "c1mesh/trace.h"
 #include "c1mesh/verify.h"
 
 namespace c1mesh {
@@ -23,7 +24,9 @@ struct Outcome {
 };
 
 /// Computes the map of every region of `shape`, verified. Throws Interrupted if `progress` says so
-/// before any valid state exists, std::invalid_argument for options out of range.
-Outcome parametrize(const Shape& shape, const Options& options = {}, const Progress& progress = {});
+/// before any valid state exists, std::invalid_argument for options out of range. `trace` is told of
+/// every iteration.
+Outcome parametrize(const Shape& shape, const Options& options = {}, const Progress& progress = {},
+                    const Trace& trace = {});
 
 }  // namespace c1mesh

@@ -35,7 +35,8 @@ bool within(const Outcome& outcome, const Options& options) {
 
 }  // namespace
 
-Outcome parametrize(const Shape& shape, const Options& options, const Progress& progress) {
+Outcome parametrize(const Shape& shape, const Options& options, const Progress& progress,
+                    const Trace& /*trace*/) {
   validate(options);
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an optimisation does, iteration by iteration.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace c1mesh {
+
+/// The state after one iteration; lengths and areas in the normalised frame (extent 1/2 to 1).
+struct TraceRecord {
+  int region = 0;
+  int pass = 1;          ///< counts the attempts at the region, or the repetitions
+  std::string stage;     ///< the active stage, e.g. "phase one"; a new name starts a new count
+  int iteration = 0;     ///< within the stage, from 1
+  double e_s = 0;        ///< E_s of eq. (4.2): sum of d_ei, un-smoothed, over the edges asked
+  double e_reg = 0;      ///< E_reg of eq. (4.3); for the exact method the mean triangle energy
+  double g = 0;          ///< max over triangles of g(t), eq. (4.5)
+  double step = 0;       ///< step length taken, 0: none was possible
+  int exceptional = -1;  ///< exceptional vertices of the state; -1: not determined yet
+};
+
+/// Called after every iteration, from the thread that runs the work; empty: nothing is recorded.
+using Trace = std::function<void(const TraceRecord&)>;
+
+}  // namespace c1mesh
