@@ -8,7 +8,9 @@
 
 #include "app/command.h"
 #include "app/interrupt.h"
+#include "app/paper_options.h"
 #include "app/summary.h"
+#include "app/validators.h"
 #include "c1mesh/parametrize.h"
 #include "c1mesh/trade_off.h"
 #include "c1mesh/write.h"
@@ -160,29 +162,6 @@ std::string check_exceptional(const std::string& text) {
   return digits || text == "min" ? "" : "must be a number of vertices or 'min'";
 }
 
-// CLI::Range lets "nan" through.
-CLI::Validator at_least(double least, double most = std::numeric_limits<double>::max()) {
-  const bool open = most == std::numeric_limits<double>::max();
-  const std::string range =
-      open ? fmt::format("at least {}", least) : fmt::format("from {} to {}", least, most);
-  return {[=](const std::string& text) {
-            double value = 0;
-            const bool number = CLI::detail::lexical_cast(text, value);
-            return number && value >= least && value <= most ? "" : "must be a number " + range;
-          },
-          range, "at_least"};
-}
-
-CLI::Validator above(double least) {
-  const std::string range = fmt::format("above {}", least);
-  return {[=](const std::string& text) {
-            double value = 0;
-            const bool number = CLI::detail::lexical_cast(text, value);
-            return number && value > least ? "" : "must be a number " + range;
-          },
-          range, "above"};
-}
-
 void add_method_options(CLI::App& cli, RunArguments& arguments) {
   Options& options = arguments.options;
   cli.add_option("--alpha", options.alpha, "Distortion g <= alpha * mips-bound is asked")
@@ -216,6 +195,7 @@ void add_method_options(CLI::App& cli, RunArguments& arguments) {
   cli.add_option("--time-limit", options.time_limit, "Seconds per shape; 0: none")
       ->capture_default_str()
       ->check(at_least(0));
+  add_paper_options(cli, options);
 }
 
 }  // namespace

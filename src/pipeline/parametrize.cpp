@@ -9,6 +9,7 @@
 
 #include "pipeline/assemble.h"
 #include "pipeline/ladder.h"
+#include "pipeline/paper_solution.h"
 #include "pipeline/region_input.h"
 #include "pipeline/validate.h"
 
@@ -28,7 +29,7 @@ class Clock {
 bool within(const Outcome& outcome, const Options& options) {
   const Metrics& m = outcome.result.metrics;
   return outcome.report.valid() && !outcome.gave_up &&
-         m.mips_bound_max <= options.alpha * options.mips_bound &&
+         m.mips_bound_max <= distortion_asked(options) &&
          !(options.no_overlap && m.domain_overlaps) &&
          (options.exceptional < 0 || m.exceptional <= options.exceptional);
 }
@@ -36,7 +37,7 @@ bool within(const Outcome& outcome, const Options& options) {
 }  // namespace
 
 Outcome parametrize(const Shape& shape, const Options& options, const Progress& progress,
-                    const Trace& /*trace*/) {
+                    const Trace& trace) {
   validate(options);
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
@@ -67,7 +68,10 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
       tell("optimising", 1 - 1 / (1 + 0.01 * ++steps));
       if (options.time_limit > 0 && clock.seconds() > options.time_limit) throw TimeLimitReached();
     };
-    regions.push_back(solve_region(mesh, options, checkpoint));
+    regions.push_back(
+        options.method == Method::paper
+            ? solve_region_as_paper(mesh, options, static_cast<int>(r), checkpoint, trace)
+            : solve_region(mesh, options, checkpoint));
     map_seconds += stage.seconds();
     outcome.time_limit_hit |= regions.back().interrupted;
     outcome.gave_up |= regions.back().gave_up;
@@ -77,7 +81,7 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
   if (progress && !progress("verifying", 0.96)) throw Interrupted("cancelled");
   const Clock stage;
   outcome.result = assemble_result(shape, regions, options, degree);
-  outcome.report = verify(outcome.result, shape);
+  outcome.report = verify(outcome.result, shape, claimed_bounds(outcome.result));
   outcome.result.metrics = outcome.report.metrics;
   outcome.seconds = {{"mesh", mesh_seconds},
                      {"map", map_seconds},

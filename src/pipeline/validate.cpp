@@ -19,4 +19,9 @@ void validate(const Options& options) {
   if (options.threads < 0) throw std::invalid_argument("threads must not be negative");
 }
 
+double distortion_asked(const Options& options) {
+  const double lift = options.method == Method::paper ? options.paper.alpha_lift : 1;
+  return lift * options.alpha * options.mips_bound;
+}
+
 }  // namespace c1mesh
