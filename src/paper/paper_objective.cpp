@@ -139,8 +139,8 @@ double PaperObjective::edge_value(const C1Edge& e, const Pair& state) const {
   return sum;
 }
 
-// Gauss-Newton on d with the norm's own curvature: d is linear in the control points, and its
-// second derivatives in the domain are left out, so the Hessian is positive semi-definite.
+// Gauss-Newton: d is linear in the control points, and its second derivatives in the domain are
+// left out, so the Hessian is positive semi-definite.
 PaperObjective::Local PaperObjective::edge_terms(const C1Edge& e, double weight,
                                                  const Pair& state) const {
   const int n = e.equations(), points = 4 + (n + 1) + 2 * n;
@@ -166,7 +166,7 @@ PaperObjective::Local PaperObjective::edge_terms(const C1Edge& e, double weight,
       d.middleCols<2>(8 + 2 * k) = factor[k] * Eigen::Matrix2d::Identity();
     const int at[8] = {0, 1, 2, 3, 4 + i, 5 + i, 5 + n + i, 5 + 2 * n + i};
     const Eigen::Matrix<double, 16, 1> gradient = weight * d.transpose() * norm.gradient;
-    const Eigen::Matrix<double, 16, 16> hessian = weight * d.transpose() * norm.hessian * d;
+    const Eigen::Matrix<double, 16, 16> hessian = weight * norm.majoriser * d.transpose() * d;
     for (int a = 0; a < 8; ++a) {
       local.gradient.segment<2>(2 * at[a]) += gradient.segment<2>(2 * a);
       for (int b = 0; b < 8; ++b)

@@ -8,11 +8,14 @@
 
 namespace c1mesh {
 
-/// sqrt(|d|^2 + epsilon^2) - epsilon: between |d| - epsilon and |d|, convex, its Hessian is exact.
+/// sqrt(|d|^2 + epsilon^2) - epsilon: between |d| - epsilon and |d|, convex. `majoriser` is that of
+/// the quadratic in d that touches the norm here and nowhere falls below it: the weight 1 / |d| of
+/// re-weighted least squares. The norm's own Hessian has no curvature along d, and steps by it are
+/// hundreds of times too long where d is not linear (docs/paper.md).
 struct SmoothNorm {
   double value = 0;
   Point gradient;
-  Eigen::Matrix2d hessian;
+  double majoriser = 0;  ///< times the identity
 
   static double at(const Point& d, double epsilon) {
     // The difference of two nearly equal numbers, without cancellation.
@@ -22,7 +25,7 @@ struct SmoothNorm {
   SmoothNorm(const Point& d, double epsilon) : value(at(d, epsilon)) {
     const double root = std::sqrt(d.squaredNorm() + epsilon * epsilon);
     gradient = d / root;
-    hessian = (Eigen::Matrix2d::Identity() - gradient * gradient.transpose()) / root;
+    majoriser = 1 / root;
   }
 };
 
