@@ -41,4 +41,10 @@ std::vector<TraceLine> parse_trace(const std::string& text);
 /// Is this the text of a trace? By its first line; the rest may be malformed.
 bool is_trace(const std::string& text);
 
+/// An SVG picture over the iterations counted through: E_s, below it g, below that E_reg, each on a
+/// logarithmic axis; bands in the colours of the stages, lines between the passes. `width` in
+/// pixels, at least 300.
+std::string draw_trace(const std::string& title, const std::vector<TraceRecord>& records,
+                       double width = 1200);
+
 }  // namespace c1mesh
