@@ -24,6 +24,7 @@ struct RunArguments {
   std::vector<std::string> formats = {"json", "svg"};
   std::string exceptional = "min";
   bool trade_off = false;
+  std::string trace;  // file, empty: none
   ReadOptions read;
   Options options;
 };
@@ -33,6 +34,7 @@ struct Run {
   Console& console;
   const RunArguments& arguments;
   OutputNames names;
+  std::vector<TraceLine> trace = {};
 
   bool wants(const std::string& format) const {
     const auto& formats = arguments.formats;
@@ -112,12 +114,32 @@ void say_notes(Console& console, const std::string& input, std::vector<Defect> n
   if (more) console.say(fmt::format("{}: {} more notes (--verbose)", printable(input), more));
 }
 
+// Empty unless a trace was asked for: a run that nobody watches does not stop to measure.
+Trace tracer(Run& run, const std::string& shape) {
+  if (run.arguments.trace.empty()) return {};
+  return [&run, shape](const TraceRecord& record) { run.trace.push_back({shape, record}); };
+}
+
+// Whatever became of the shapes.
+Status write_trace(const Run& run) {
+  const std::string& path = run.arguments.trace;
+  if (path.empty()) return Status::ok;
+  return guarded(run.console, path, [&] {
+    const std::size_t slash = path.find_last_of('/');
+    if (slash != std::string::npos && slash > 0) create_folder(path.substr(0, slash));
+    deliver(path, format_trace(run.trace));
+    run.console.say(fmt::format("trace: {}, {} iterations", printable(path), run.trace.size()));
+    return Status::ok;
+  });
+}
+
 Status run_drawing(Run& run, const std::string& input, Drawing drawing) {
   const Options& options = run.arguments.options;
   choose_name(run, input, drawing);
   const Shape shape = make_shape(drawing);
   say_notes(run.console, input, shape.notes);
-  const Outcome outcome = parametrize(shape, options, run.console.progress(drawing.name));
+  const Outcome outcome =
+      parametrize(shape, options, run.console.progress(drawing.name), tracer(run, drawing.name));
   run.console.clear_bar();
   // A map that is not certified must never reach a file: that would be our error, not a missed
   // bound.
@@ -149,10 +171,13 @@ Status run_inputs(Console& console, RunArguments& arguments) {
   Run run{console, arguments, {}};
   Status status = Status::ok;
   for (const std::string& input : arguments.inputs) {
-    if (interrupted()) return worse(status, Status::limit);
+    if (interrupted()) {
+      status = worse(status, Status::limit);
+      break;
+    }
     status = worse(status, guarded(console, input, [&] { return run_input(run, input); }));
   }
-  return status;
+  return worse(status, write_trace(run));
 }
 
 std::string check_exceptional(const std::string& text) {
@@ -217,6 +242,11 @@ Command add_run(CLI::App& app) {
                 "Take a whole SVG drawing as one arrangement, unfilled lines as features");
   cli->add_flag("--trade-off", arguments->trade_off,
                 "Also NAME.tradeoff.json and .svg: g against the number of exceptional vertices");
+  cli->add_option("--trace", arguments->trace,
+                  "Also this file, one JSON object per iteration; c1mesh draw makes a plot of it")
+      ->check([](const std::string& path) {
+        return path.empty() || path == "-" ? "needs the name of a file" : "";
+      });
   add_method_options(*cli, *arguments);
   cli->final_callback([arguments] {
     if (arguments->trade_off && arguments->folder == "-")

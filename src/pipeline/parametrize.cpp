@@ -11,6 +11,7 @@
 #include "pipeline/ladder.h"
 #include "pipeline/paper_solution.h"
 #include "pipeline/region_input.h"
+#include "pipeline/region_trace.h"
 #include "pipeline/validate.h"
 
 namespace c1mesh {
@@ -63,11 +64,12 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
 
     stage = Clock();
     int steps = 0;
-    const Checkpoint checkpoint = [&] {
+    const auto stop = [&] {
       // How long the search takes is not known; the bar approaches the end without reaching it.
       tell("optimising", 1 - 1 / (1 + 0.01 * ++steps));
       if (options.time_limit > 0 && clock.seconds() > options.time_limit) throw TimeLimitReached();
     };
+    const Checkpoint checkpoint(stop, trace_of_region(trace, static_cast<int>(r)));
     regions.push_back(
         options.method == Method::paper
             ? solve_region_as_paper(mesh, options, static_cast<int>(r), checkpoint, trace)
