@@ -46,6 +46,9 @@ void add_paper_options(CLI::App& cli, Options& options) {
       ->capture_default_str()
       ->group(kGroup)
       ->check(CLI::Range(1, 100));
+  cli.add_flag("--project", options.project,
+               "Afterwards project the control points, the boundary's too, onto the C1 space")
+      ->group(kGroup);
   cli.add_option("--extent", paper.extent,
                  "Larger side of the shape in the units of the weights below")
       ->capture_default_str()

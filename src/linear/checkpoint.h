@@ -11,6 +11,9 @@
 
 namespace c1mesh {
 
+/// Thrown by a checkpoint when the time limit is reached.
+struct TimeLimitReached {};
+
 /// Called between iterations; what it throws ends the computation (cancellation, time limit). A
 /// computation may also be watched: `observe` is told of its state after every iteration, and makes
 /// of it a record for `trace`. Nobody watches unless `trace` is set, and then nothing is computed

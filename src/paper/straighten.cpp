@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bernstein/jacobian.h"
+#include "domain/apart.h"
 #include "mesh/topology.h"
 
 namespace c1mesh {
@@ -13,13 +14,12 @@ namespace {
 // One path's straightening; `chain` is a run of positions, ends included.
 class Straightener {
  public:
-  Straightener(const CurvedMesh& initial, const Joints& joints, const Pair& state, double bound,
-               Straightening how)
+  Straightener(const CurvedMesh& initial, const Joints& joints, const Pair& state,
+               const StraightenOptions& options)
       : initial_(initial),
         joints_(joints),
         state_(state),
-        bound_(bound),
-        how_(how),
+        options_(options),
         tables_(JacobianTables::of(initial.degree)),
         around_(MeshTopology(initial).vertex_triangles) {
     out_.domain = state.domain;
@@ -124,7 +124,7 @@ class Straightener {
     const Point start = at(path[chain.front()].vertex), end = at(path[chain.back()].vertex);
     const Point line = end - start;
     std::vector<double> where(chain.size(), 0);
-    if (how_ == Straightening::orthogonal) {
+    if (options_.how == Straightening::orthogonal) {
       for (std::size_t i = 0; i < chain.size(); ++i)
         where[i] = (at(path[chain[i]].vertex) - start).dot(line) / line.squaredNorm();
     } else {
@@ -152,16 +152,15 @@ class Straightener {
           net[k] = state_.control[initial_.nets[t * tables_.net_size + k]];
         const double g = distortion_bound(tables_, net, at(corner[1]) - at(corner[0]),
                                           at(corner[2]) - at(corner[0]));
-        if (!(g < bound_)) return false;
+        if (!(g < options_.bound)) return false;
       }
-    return true;
+    return !(options_.no_overlap && boundary_meets_itself(initial_, out_.domain));
   }
 
   const CurvedMesh& initial_;
   const Joints& joints_;
   const Pair& state_;
-  double bound_;
-  Straightening how_;
+  const StraightenOptions& options_;
   const JacobianTables& tables_;
   std::vector<std::vector<int>> around_;
   Straightened out_;
@@ -175,8 +174,8 @@ bool is_shape_corner(const Joint& joint) {
 }
 
 Straightened straighten(const CurvedMesh& initial, const Joints& joints, const Pair& state,
-                        double bound, Straightening how) {
-  return Straightener(initial, joints, state, bound, how).run();
+                        const StraightenOptions& options) {
+  return Straightener(initial, joints, state, options).run();
 }
 
 std::vector<char> exceptional_corners(const CurvedMesh& initial, const Joints& joints,

@@ -11,6 +11,12 @@
 
 namespace c1mesh {
 
+struct StraightenOptions {
+  double bound = 3000;  ///< on g of eq. (4.5)
+  Straightening how = Straightening::orthogonal;
+  bool no_overlap = false;
+};
+
 struct Straightened {
   PointMatrix domain;
   std::vector<char> corner;  ///< per vertex on a curve: an end of straight runs
@@ -25,9 +31,10 @@ inline constexpr double kNegligibleTurn = 1e-6;  // radians
 
 /// Marks the corners of the shape, and of each loop the sharpest three vertices if there are fewer.
 /// Then each run between two marked ones is put on its line; where a triangle would become inverted
-/// or exceed `bound` (g of eq. 4.5), it is restored and its sharpest vertex marked too.
+/// or exceed the bound, or the boundary cross itself where that is excluded, it is restored and its
+/// sharpest vertex marked too.
 Straightened straighten(const CurvedMesh& initial, const Joints& joints, const Pair& state,
-                        double bound, Straightening how);
+                        const StraightenOptions& options);
 
 /// The corners over which C1 is given up: those at smooth joints, branch points, and those of the
 /// shape that are convex where the domain is reflex, or the other way round, or flat there.

@@ -2,13 +2,12 @@
 // A region solved by the paper's method.
 #pragma once
 
-#include "c1mesh/trace.h"
 #include "pipeline/ladder.h"
 
 namespace c1mesh {
 
-/// Always valid; after a time limit the initial mesh, or the last pass that was finished.
-RegionSolution solve_region_as_paper(const CurvedMesh& initial, const Options& options, int region,
-                                     const Checkpoint& checkpoint, const Trace& trace);
+/// Always valid; a time limit ends the phase that is running.
+RegionSolution solve_region_as_paper(const CurvedMesh& initial, const Options& options,
+                                     const Checkpoint& checkpoint);
 
 }  // namespace c1mesh

@@ -7,6 +7,7 @@
 
 #include <chrono>
 
+#include "c1mesh/project.h"
 #include "pipeline/assemble.h"
 #include "pipeline/ladder.h"
 #include "pipeline/paper_solution.h"
@@ -33,6 +34,21 @@ bool within(const Outcome& outcome, const Options& options) {
          m.mips_bound_max <= distortion_asked(options) &&
          !(options.no_overlap && m.domain_overlaps) &&
          (options.exceptional < 0 || m.exceptional <= options.exceptional);
+}
+
+// The projection may cost the map its regularity; then it is left undone, and C1 claimed in vain.
+void project_outcome(const Shape& shape, Outcome& outcome) {
+  const Projection projection = project(outcome.result);
+  VerifyReport report = verify(projection.result, shape, claimed_bounds(projection.result));
+  if (!report.regular()) {
+    outcome.remedies.emplace_back("not projected: triangles would be inverted");
+    outcome.gave_up = true;
+    return;
+  }
+  outcome.remedies.push_back(fmt::format("projected: a control point moved by {:.1e} of the extent",
+                                         projection.largest_move));
+  outcome.result = projection.result;
+  outcome.report = std::move(report);
 }
 
 }  // namespace
@@ -70,10 +86,9 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
       if (options.time_limit > 0 && clock.seconds() > options.time_limit) throw TimeLimitReached();
     };
     const Checkpoint checkpoint(stop, trace_of_region(trace, static_cast<int>(r)));
-    regions.push_back(
-        options.method == Method::paper
-            ? solve_region_as_paper(mesh, options, static_cast<int>(r), checkpoint, trace)
-            : solve_region(mesh, options, checkpoint));
+    regions.push_back(options.method == Method::paper
+                          ? solve_region_as_paper(mesh, options, checkpoint)
+                          : solve_region(mesh, options, checkpoint));
     map_seconds += stage.seconds();
     outcome.time_limit_hit |= regions.back().interrupted;
     outcome.gave_up |= regions.back().gave_up;
@@ -84,6 +99,7 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
   const Clock stage;
   outcome.result = assemble_result(shape, regions, options, degree);
   outcome.report = verify(outcome.result, shape, claimed_bounds(outcome.result));
+  if (options.project) project_outcome(shape, outcome);
   outcome.result.metrics = outcome.report.metrics;
   outcome.seconds = {{"mesh", mesh_seconds},
                      {"map", map_seconds},

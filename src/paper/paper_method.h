@@ -4,10 +4,11 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "c1mesh/options.h"
-#include "c1mesh/trace.h"
+#include "linear/checkpoint.h"
 #include "paper/straighten.h"
 
 namespace c1mesh {
@@ -20,13 +21,13 @@ struct PaperSolution {
   Pair state;                     ///< regular, g within the lifted bound
   std::vector<char> exceptional;  ///< per vertex
   std::vector<std::array<int, 2>> relaxed;
-  double bound = 0;  ///< on g, in phase two
   std::vector<std::string> notes;
+  bool interrupted = false;  ///< the time limit ended it early
 };
 
-/// Throws what `checkpoint` throws.
+/// Lengths in the normalised frame. A TimeLimitReached of `checkpoint` ends the phase, whose state
+/// is straightened if that is still to do; anything else it throws is passed on.
 PaperSolution run_paper_method(const CurvedMesh& initial, const Joints& joints,
-                               const Options& options, int region, const Checkpoint& checkpoint,
-                               const Trace& trace);
+                               const Options& options, const Checkpoint& checkpoint);
 
 }  // namespace c1mesh
