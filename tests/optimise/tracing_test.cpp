@@ -132,6 +132,40 @@ TEST(TracedMap, MeasuresTheStateItIsToldOf) {
   EXPECT_LT(told.e_s, exact.asked.size() * map.mesh.degree * kExact);
 }
 
+// Whatever the variables of a part of the domain stage, what is told are places of vertices; after
+// the last iteration the domain that is returned, up to a similarity, which g does not see.
+TEST(TracedDomain, IsToldTheVerticesByEveryPartOfTheStage) {
+  int untangled = 0;
+  for (const auto& loops : std::vector<std::vector<std::vector<BezierCurve>>>{
+           {test::blob(6, 0.3, 2), test::backwards(test::circle({0.5, 0.5}, 0.1))},
+           {test::blob(8, 0.5, 5)},
+           {test::lens(60)}}) {
+    MeshReport meshing;
+    const CurvedMesh mesh = initial_mesh(test::input_of(loops), {}, meshing);
+    const Joints joints = find_joints(mesh, 8);
+    const Roles roles =
+        place_exceptional(mesh, joints, natural_roles(joints), Placement::curvature);
+    std::vector<TraceRecord> told;
+    const Checkpoint watched([] {}, [&](const TraceRecord& r) { told.push_back(r); });
+    const Checkpoint traced = traced_domain(watched, "test", mesh, joints, roles);
+    const Checkpoint sized = traced.observed_by([&](const Eigen::VectorXd& x, double step) {
+      ASSERT_EQ(x.size(), 2 * mesh.vertex_count());
+      traced.observe(x, step);
+    });
+    DomainReport report;
+    const DomainState state = solve_domain(mesh, joints, roles, {}, report, sized);
+    ASSERT_TRUE(report.valid);
+    untangled += report.untangle_iterations;
+    ASSERT_GE(static_cast<int>(told.size()), report.untangle_iterations + report.newton_iterations);
+    const PointMatrix points = state.layout.exact * state.unknowns;
+    const std::vector<double> g = distortion_bounds(mesh, points, mesh.control);
+    const double largest = *std::max_element(g.begin(), g.end());
+    EXPECT_NEAR(told.back().g, largest, 1e-9 * largest);
+    EXPECT_EQ(told.back().stage, "test");
+  }
+  EXPECT_GT(untangled, 0);
+}
+
 // Nothing is made for nobody.
 TEST(Traced, WithoutATraceIsTheCheckpointItself) {
   const ExactMap map = exact_map({test::lens(60)});
