@@ -32,6 +32,7 @@ MODULES = {
     "optimise": ("road", "CurvedMesh, Roles", "Attempt: an exactly C1 map, or where it failed"),
     "result": ("road", "Result or text", "text or Result; files whole or not at all"),
     "verify": ("road", "Result", "VerifyReport: proofs and metrics"),
+    "evaluate": ("side", "folders of results", "Evaluation: tables, histograms"),
     "pipeline": ("road", "Shape, Options", "Outcome: Result, verified"),
     "write": ("road", "Result", "SVG, VTU"),
     "generate": ("side", "set or family, count, seed", "Drawing: random and hard shapes"),

@@ -27,6 +27,7 @@ Command add_verify(CLI::App& app);
 Command add_draw(CLI::App& app);
 Command add_convert(CLI::App& app);
 Command add_generate(CLI::App& app);
+Command add_evaluate(CLI::App& app);
 
 /// An output file could not be written.
 struct WriteError : std::runtime_error {
