@@ -7,7 +7,7 @@ namespace c1mesh {
 ShapeEvaluation evaluate(const Result& result) {
   ShapeEvaluation out;
   out.name = result.name;
-  VerifyReport report = verify(result);
+  VerifyReport report = verify(result, claimed_bounds(result));
   const VerifyItem& structure = report.items.front();
   if (structure.verdict != Verdict::valid) {  // nothing else was looked at
     out.unreadable = true;

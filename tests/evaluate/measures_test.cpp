@@ -39,6 +39,15 @@ TEST(Measures, AKnownDeviation) {
   EXPECT_FALSE(shape.valid);
 }
 
+// As `c1mesh verify` does: a result is certified to the bounds that it claims.
+TEST(Measures, TheBoundsOfTheResultDecide) {
+  Result result = example::bent_square(0x1p-6);
+  result.parameters = {{"c1_bound", 0.1}};
+  EXPECT_TRUE(evaluate(result).c1);
+  result.parameters = {{"c1_bound", 0.01}};
+  EXPECT_FALSE(evaluate(result).c1);
+}
+
 TEST(Measures, OfAC1Map) {
   const ShapeEvaluation shape = evaluate(example::grid(4, 3, example::cubic_map()));
   EXPECT_TRUE(shape.valid);
