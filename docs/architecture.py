@@ -33,6 +33,7 @@ MODULES = {
     "paper": ("road", "CurvedMesh, Options", "PaperSolution: the paper's two phases; the C1 projection"),
     "result": ("road", "Result or text", "text or Result; files whole or not at all"),
     "verify": ("road", "Result", "VerifyReport: proofs and metrics"),
+    "evaluate": ("side", "folders of results", "Evaluation: tables, histograms"),
     "pipeline": ("road", "Shape, Options", "Outcome: Result, verified"),
     "write": ("road", "Result", "SVG, VTU"),
     "generate": ("side", "set or family, count, seed", "Drawing: random and hard shapes"),

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything: read, check, parametrize, trade off, verify, write, generate.
+// Everything: read, check, parametrize, trade off, verify, evaluate, write, generate.
 #pragma once
 
 #include "c1mesh/error.h"
+#include "c1mesh/evaluate.h"
 #include "c1mesh/generate.h"
 #include "c1mesh/options.h"
 #include "c1mesh/parametrize.h"

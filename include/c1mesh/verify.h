@@ -30,9 +30,19 @@ struct VerifyOptions {
 /// where they claim none.
 VerifyOptions claimed_bounds(const Result& result);
 
+/// What the spreads of the metrics are taken of; lengths relative to the extent.
+struct Samples {
+  std::vector<double> d_ei;  ///< every equation of every edge where C1 is asked
+  /// For each such edge, the largest of ten equidistant points, ends included.
+  std::vector<double> gradient_angle_deg, gradient_magnitude;
+  /// For each control point on boundary or features, by id: the distance from its exact place.
+  std::vector<double> conformance;
+};
+
 struct VerifyReport {
   std::vector<VerifyItem> items;
   Metrics metrics;  ///< recomputed from the result alone (`seconds` is empty)
+  Samples samples;
 
   bool regular() const;  ///< every triangle certified, domain orientation exact
   bool conforming() const;

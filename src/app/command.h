@@ -28,6 +28,7 @@ Command add_draw(CLI::App& app);
 Command add_project(CLI::App& app);
 Command add_convert(CLI::App& app);
 Command add_generate(CLI::App& app);
+Command add_evaluate(CLI::App& app);
 
 /// An output file could not be written.
 struct WriteError : std::runtime_error {

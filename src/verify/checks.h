@@ -11,6 +11,7 @@
 #include "c1mesh/shape.h"
 #include "c1mesh/verify.h"
 #include "verify/bernstein_forms.h"
+#include "verify/spread.h"
 #include "verify/surface.h"
 
 namespace c1mesh::verification {
@@ -24,9 +25,11 @@ struct Subject {
 
   int degree() const { return result.degree; }
   /// Control point of triangle t, exponents (n-second-third, second, third) at corners k, k+1, k+2.
+  int control_id(int t, int k, int second, int third) const {
+    return result.triangle_control_points[t][turned_index(degree(), k, second, third)];
+  }
   const Point& control(int t, int k, int second, int third) const {
-    return result.control_points[result.triangle_control_points[t][turned_index(degree(), k, second,
-                                                                                third)]];
+    return result.control_points[control_id(t, k, second, third)];
   }
 };
 
@@ -41,25 +44,22 @@ std::vector<BoundaryRow> rows_of(const Subject& subject, const std::vector<int>&
 VerifyItem check_structure(const Result& result);
 VerifyItem check_topology(const Subject& subject);
 VerifyItem check_coverage(const Subject& subject);
-VerifyItem check_conformance(const Subject& subject, Metrics& metrics);
+VerifyItem check_conformance(const Subject& subject, Metrics& metrics, Samples& samples);
 VerifyItem check_input_curves(const Subject& subject, const Shape& shape);
 VerifyItem check_boundary_simple(const Subject& subject);
 VerifyItem check_domain_orientation(const Subject& subject);
 VerifyItem check_winding(const Subject& subject);
 bool domain_overlaps(const Subject& subject);
 VerifyItem check_regularity(const Subject& subject);
-VerifyItem check_c1(const Subject& subject, Metrics& metrics);
+VerifyItem check_c1(const Subject& subject, Metrics& metrics, Samples& samples);
 VerifyItem check_boundary_vertices(const Subject& subject);
 VerifyItem check_exceptional(const Subject& subject, Metrics& metrics);
 void measure_flatness(const Subject& subject, Metrics& metrics);
 void measure_distortion(const Subject& subject, Metrics& metrics);
-void measure_gradients(const Subject& subject, Metrics& metrics);
+void measure_gradients(const Subject& subject, Metrics& metrics, Samples& samples);
 
 /// The interior edges across which C1 is asked: neither relaxed nor feature edges.
 std::vector<int> smooth_edges(const Subject& subject);
-
-/// Median, 99th percentile and maximum by nearest rank; zeros for an empty sample.
-Spread spread_of(std::vector<double> sample);
 
 /// Counts faults and keeps the first few messages.
 class Faults {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "verify/checks.h"
 #include "verify/exact.h"
@@ -23,8 +24,9 @@ double offset(double x, const Rational& exact) {
 
 }  // namespace
 
-VerifyItem check_conformance(const Subject& subject, Metrics& metrics) {
+VerifyItem check_conformance(const Subject& subject, Metrics& metrics, Samples& samples) {
   Faults faults;
+  std::map<int, double> by_control;  // a control point at a vertex lies on two curves
   const int n = subject.degree();
   std::vector<CurveEdge> edges = subject.result.boundary_edges;
   edges.insert(edges.end(), subject.result.feature_edges.begin(),
@@ -44,9 +46,12 @@ VerifyItem check_conformance(const Subject& subject, Metrics& metrics) {
     const auto exact = exact_restriction(curve, e.t0, e.t1, n);
     double distance = 0, magnitude = 0;
     for (int s = 0; s <= n; ++s) {
-      const Point& p = subject.control(side.triangle, side.corner, forward ? s : n - s, 0);
-      distance =
-          std::max(distance, std::hypot(offset(p.x(), exact[s][0]), offset(p.y(), exact[s][1])));
+      const int control = subject.control_id(side.triangle, side.corner, forward ? s : n - s, 0);
+      const Point& p = subject.result.control_points[control];
+      const double off = std::hypot(offset(p.x(), exact[s][0]), offset(p.y(), exact[s][1]));
+      double& largest = by_control[control];
+      largest = std::max(largest, off / subject.extent);
+      distance = std::max(distance, off);
       magnitude = std::max({magnitude, std::abs(p.x()), std::abs(p.y())});
     }
     metrics.conformance_max = std::max(metrics.conformance_max, distance / subject.extent);
@@ -56,6 +61,7 @@ VerifyItem check_conformance(const Subject& subject, Metrics& metrics) {
       faults.add(fmt::format("edge ({}, {}) is {:.3g} of the extent away from curve {}", e.a, e.b,
                              distance / subject.extent, e.curve));
   }
+  for (const auto& [control, off] : by_control) samples.conformance.push_back(off);
   return faults.item("conformance",
                      fmt::format("at most {:.3g} of the extent off the input curves (bound {:.3g})",
                                  metrics.conformance_max, subject.options.conformance_tolerance));

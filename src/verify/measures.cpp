@@ -101,8 +101,7 @@ void measure_distortion(const Subject& subject, Metrics& metrics) {
   }
 }
 
-void measure_gradients(const Subject& subject, Metrics& metrics) {
-  std::vector<double> angles, magnitudes;
+void measure_gradients(const Subject& subject, Metrics& metrics, Samples& samples) {
   for (const int e : smooth_edges(subject)) {
     const SurfaceEdge& edge = subject.surface.edges[e];
     double angle = 0, magnitude = 0;
@@ -118,11 +117,11 @@ void measure_gradients(const Subject& subject, Metrics& metrics) {
         if (longer > 0) magnitude = std::max(magnitude, std::abs(g.norm() - h.norm()) / longer);
       }
     }
-    angles.push_back(angle);
-    magnitudes.push_back(magnitude);
+    samples.gradient_angle_deg.push_back(angle);
+    samples.gradient_magnitude.push_back(magnitude);
   }
-  metrics.gradient_angle_deg = spread_of(std::move(angles));
-  metrics.gradient_magnitude = spread_of(std::move(magnitudes));
+  metrics.gradient_angle_deg = spread_of(samples.gradient_angle_deg);
+  metrics.gradient_magnitude = spread_of(samples.gradient_magnitude);
 }
 
 }  // namespace c1mesh::verification

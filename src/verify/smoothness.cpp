@@ -93,19 +93,18 @@ std::vector<int> smooth_edges(const Subject& subject) {
   return out;
 }
 
-VerifyItem check_c1(const Subject& subject, Metrics& metrics) {
+VerifyItem check_c1(const Subject& subject, Metrics& metrics, Samples& samples) {
   Faults faults;
-  std::vector<double> sample;
   const std::vector<int> edges = smooth_edges(subject);
   for (const int e : edges) {
     const SurfaceEdge& edge = subject.surface.edges[e];
     const EdgeDeviation found = deviation(subject, edge);
-    for (const double d : found.d) sample.push_back(d / subject.extent);
+    for (const double d : found.d) samples.d_ei.push_back(d / subject.extent);
     if (!found.within)
       faults.add(fmt::format("edge ({}, {}) deviates by {:.3g} of the extent", edge.a, edge.b,
                              *std::max_element(found.d.begin(), found.d.end()) / subject.extent));
   }
-  metrics.d_ei = spread_of(std::move(sample));
+  metrics.d_ei = spread_of(samples.d_ei);
   return faults.item("C1",
                      fmt::format("{} edges, deviation at most {:.3g} of the extent (bound {:.3g})",
                                  edges.size(), metrics.d_ei.max, subject.options.c1_tolerance));

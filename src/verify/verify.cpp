@@ -30,20 +30,21 @@ VerifyReport run(const Result& result, const Shape* input, const VerifyOptions& 
 
   const Subject subject{result, options, verification::surface_of(result), extent_of(result)};
   Metrics& metrics = report.metrics;
+  Samples& samples = report.samples;
   metrics.triangles = static_cast<int>(result.triangles.size());
   report.items.push_back(verification::check_topology(subject));
   report.items.push_back(verification::check_coverage(subject));
   if (input) report.items.push_back(verification::check_input_curves(subject, *input));
-  report.items.push_back(verification::check_conformance(subject, metrics));
+  report.items.push_back(verification::check_conformance(subject, metrics, samples));
   report.items.push_back(verification::check_boundary_simple(subject));
   report.items.push_back(verification::check_domain_orientation(subject));
   report.items.push_back(verification::check_winding(subject));
   report.items.push_back(verification::check_regularity(subject));
-  report.items.push_back(verification::check_c1(subject, metrics));
+  report.items.push_back(verification::check_c1(subject, metrics, samples));
   report.items.push_back(verification::check_boundary_vertices(subject));
   report.items.push_back(verification::check_exceptional(subject, metrics));
   verification::measure_distortion(subject, metrics);
-  verification::measure_gradients(subject, metrics);
+  verification::measure_gradients(subject, metrics, samples);
   verification::measure_flatness(subject, metrics);
   metrics.domain_overlaps = verification::domain_overlaps(subject);
   return report;
