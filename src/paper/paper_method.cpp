@@ -139,8 +139,7 @@ class PaperMethod {
     for (std::size_t i = 0; i < topology.edges.size(); ++i) {
       const MeshEdge& e = topology.edges[i];
       if (e.triangle[1] < 0) continue;
-      const bool soft = initial_.warped[e.triangle[0]] || initial_.warped[e.triangle[1]];
-      if (feature[i] || (soft && (out_.exceptional[e.a] || out_.exceptional[e.b])))
+      if (feature[i] || out_.exceptional[e.a] || out_.exceptional[e.b])
         out_.relaxed.push_back({e.a, e.b});
     }
   }
@@ -166,10 +165,9 @@ AskedEdges classify_edges(const CurvedMesh& initial, const std::vector<char>& ex
     const MeshEdge& e = topology.edges[i];
     if (e.triangle[1] < 0 || feature[i]) continue;
     C1Edge& edge = edges[next++];
-    if (!initial.warped[e.triangle[0]] && !initial.warped[e.triangle[1]])
-      out.hard.push_back(std::move(edge));
-    else if (!exceptional[e.a] && !exceptional[e.b])
-      out.soft.push_back(std::move(edge));
+    if (exceptional[e.a] || exceptional[e.b]) continue;
+    const bool soft = initial.warped[e.triangle[0]] || initial.warped[e.triangle[1]];
+    (soft ? out.soft : out.hard).push_back(std::move(edge));
   }
   return out;
 }

@@ -13,8 +13,8 @@
 
 namespace c1mesh {
 
-/// Interior edges beside a warped triangle are soft, the others hard; soft ones with an end in
-/// `exceptional` are left out, features always.
+/// Interior edges beside a warped triangle are soft, the others hard. Those with an end in
+/// `exceptional` are left out, hard ones too (docs/paper.md), and so are features.
 AskedEdges classify_edges(const CurvedMesh& initial, const std::vector<char>& exceptional);
 
 struct PaperSolution {

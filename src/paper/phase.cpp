@@ -10,7 +10,7 @@ namespace c1mesh {
 namespace {
 
 // What of the value a step has to gain for the present smoothing to go on.
-constexpr double kWorthwhile = 1e-4;
+constexpr double kWorthwhile = 1e-3;
 
 class Phase {
  public:
