@@ -5,15 +5,16 @@
 # alpha (OUT/VARIANT-ALPHA/SET/NAME.c1.json and NAME.log), then `BIN evaluate` over the sets of each:
 # OUT/tables/VARIANT-ALPHA/evaluation.json and the rest. The variants:
 #   exact            the default method
-#   paper            --method paper
-#   repeated         --method paper --repeat 2
-#   paper-printed    --method paper with the options in PRINTED; left out where that is empty
+#   paper            --method paper with the parameters that work best, BEST below
+#   repeated         the same with --repeat 2
+#   fractions        the same with --straighten fractions
+#   printed          --method paper as it stands, with the parameters printed in the paper
 #   projected        `BIN project` on the results of paper and of repeated that OUT has:
 #                    OUT/paper-projected-ALPHA/SET, OUT/repeated-projected-ALPHA/SET
 # A table is drawn over that of what it is compared with, if OUT has that: a projected variant with the
 # one it is made from, every other with paper.
-# The environment may choose a part: VARIANTS ("paper repeated paper-printed exact projected"), ALPHAS
-# ("10 100"), SETS ("A B C"), COUNT (100, of each set); TABLES= leaves the tables out; PRINTED (empty);
+# The environment may choose a part: VARIANTS ("paper repeated fractions printed exact projected"), ALPHAS
+# ("10 100"), SETS ("A B C"), COUNT (100, of each set); TABLES= leaves the tables out; BEST;
 # TIMEOUT (600), the seconds after which a run is ended, and JOBS (2), as in docs/battery.sh.
 # Call it again, with the same or another part, to go on where it was stopped: what is finished is not
 # run again, and a changed program or options are refused. Tables are of all that OUT has of SETS.
@@ -22,14 +23,14 @@ set -euo pipefail
 export EVALUATION_BIN=$1
 out=$2
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
-read -ra variants <<<"${VARIANTS:-paper repeated paper-printed exact projected}"
+read -ra variants <<<"${VARIANTS:-paper repeated fractions printed exact projected}"
 read -ra alphas <<<"${ALPHAS:-10 100}"
 read -ra sets <<<"${SETS:-A B C}"
 count=${COUNT:-100}
 tables=${TABLES-1}
-printed=${PRINTED:-}
-declare -A options=([exact]="" [paper]="--method paper" [repeated]="--method paper --repeat 2"
-  [paper-printed]="--method paper $printed" [projected]="")
+best="--method paper ${BEST:---extent 1 --lambda-reg 1e-5,1e-5 --lambda-hard 1,1 --rho 1e-6}"
+declare -A options=([exact]="" [printed]="--method paper" [paper]="$best"
+  [repeated]="$best --repeat 2" [fractions]="$best --straighten fractions" [projected]="")
 
 commands=$("$EVALUATION_BIN" --help)
 # What would only be found out after hours is looked at first.
@@ -137,13 +138,6 @@ for alpha in "${alphas[@]}"; do
   for variant in "${variants[@]}"; do
     case $variant in
     projected) project_variants "$alpha" ;;
-    paper-printed)
-      if [[ $printed ]]; then
-        run_variant "$variant" "$alpha"
-      else
-        echo "paper-printed: left out, PRINTED is empty"
-      fi
-      ;;
     *) run_variant "$variant" "$alpha" ;;
     esac
   done

@@ -18,6 +18,13 @@ enum class Straightening {
   fractions,   ///< to the fractions that C1 at smooth boundary vertices asks for
 };
 
+/// Where the paper's method ends. A result before the last stage claims C1 nowhere.
+enum class PaperStage {
+  initial,    ///< the initial triangulation and its domain (paper, section 4.1)
+  phase_one,  ///< domain not straightened yet
+  phase_two,  ///< all of it
+};
+
 /// Parameters of the paper's method, with the paper's values (section 5.1) as defaults. Two values
 /// are for phase one and phase two. Lengths are measured where the larger side of the shape's
 /// bounding box is `extent` units: E_s grows with it, E_reg with its square, E_g not at all.
@@ -31,6 +38,7 @@ struct PaperOptions {
                                             ///< falling; relative to the extent
   int iterations[2] = {300, 60};            ///< at most, in each phase
   Straightening straightening = Straightening::orthogonal;
+  PaperStage last_stage = PaperStage::phase_two;
 };
 
 struct Options {

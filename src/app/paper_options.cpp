@@ -76,6 +76,14 @@ void add_paper_options(CLI::App& cli, Options& options) {
           {"orthogonal", Straightening::orthogonal}, {"fractions", Straightening::fractions}}))
       ->default_str("orthogonal")
       ->group(kGroup);
+  cli.add_option("--last-stage", paper.last_stage,
+                 "End earlier, with a result that claims C1 nowhere: initial, one or two")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, PaperStage>{{"initial", PaperStage::initial},
+                                            {"one", PaperStage::phase_one},
+                                            {"two", PaperStage::phase_two}}))
+      ->default_str("two")
+      ->group(kGroup);
   cli.add_option("--c1-bound", options.c1_bound,
                  "d_ei asked for, relative to the larger side of the shape")
       ->capture_default_str()

@@ -49,8 +49,11 @@ class PaperMethod {
   PaperSolution run() {
     // Branch points of features are exceptional from the start (paper, section 5.2).
     out_.exceptional = branch_points(initial_, joints_);
+    const PaperStage last = options_.paper.last_stage;
+    if (last == PaperStage::initial) return claim_nothing();
     for (pass_ = 1; pass_ <= options_.repeat && !out_.interrupted; ++pass_) {
       phase_one();
+      if (last == PaperStage::phase_one && pass_ == options_.repeat) return claim_nothing();
       determine_exceptional();
       if (!out_.interrupted) phase_two();
     }
@@ -131,6 +134,12 @@ class PaperMethod {
     PhaseOptions options = phase_options(1);
     options.weights.bound = lifted_bound();
     optimise("phase two", classify_edges(initial_, out_.exceptional), options);
+  }
+
+  PaperSolution claim_nothing() {
+    out_.exceptional.assign(initial_.vertex_count(), 1);
+    find_relaxed();
+    return std::move(out_);
   }
 
   void find_relaxed() {

@@ -23,6 +23,7 @@ RegionSolution solve_region_as_paper(const CurvedMesh& initial, const Options& o
   out.relaxed = solution.relaxed;
   out.remedies = solution.notes;
   out.interrupted = solution.interrupted;
+  out.gave_up = options.paper.last_stage != PaperStage::phase_two;
   const std::vector<double> g =
       distortion_bounds(initial, solution.state.domain, solution.state.control);
   out.g = *std::max_element(g.begin(), g.end());

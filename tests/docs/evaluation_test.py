@@ -63,19 +63,15 @@ class Evaluation(unittest.TestCase):
         return sorted(path.name for path in (self.root / "out" / folder).iterdir())
 
     def test_options_of_the_variants(self):
-        self.evaluation(VARIANTS="exact paper repeated paper-printed", ALPHAS="10 100", COUNT="1",
-                        TABLES="", PRINTED="--rho 1 --extent 2")
+        self.evaluation(VARIANTS="exact printed paper repeated fractions", ALPHAS="10 100",
+                        COUNT="1", TABLES="", BEST="--rho 1 --extent 2")
+        best = "--method paper --rho 1 --extent 2 "
         expected = []
         for alpha in (10, 100):
-            for options in ("", "--method paper ", "--method paper --repeat 2 ",
-                            "--method paper --rho 1 --extent 2 "):
+            for options in ("", "--method paper ", best, best + "--repeat 2 ",
+                            best + "--straighten fractions "):
                 expected.append(f"run A-0001 {options}--alpha {alpha}")
         self.assertEqual(self.calls(), expected)
-
-    def test_printed_is_left_out_where_it_is_empty(self):
-        done = self.evaluation(VARIANTS="paper-printed")
-        self.assertIn("left out", done.stdout)
-        self.assertEqual(self.calls(), [])
 
     def test_a_part_first_then_more_then_nothing(self):
         self.evaluation(VARIANTS="exact", TABLES="")
