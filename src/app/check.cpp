@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/run_options.h"
 #include "c1mesh/shape.h"
 
 namespace c1mesh::app {
@@ -56,8 +57,7 @@ Command add_check(CLI::App& app) {
       app.add_subcommand("check", "Find every defect of inputs; mesh and write nothing");
   cli->add_option("INPUT", arguments->inputs, "JSON or SVG files, - for standard input")
       ->required();
-  cli->add_flag("--together", arguments->read.together,
-                "Take a whole SVG drawing as one arrangement, unfilled lines as features");
+  add_together(*cli, arguments->read);
   return {cli, [arguments](Console& console) { return check_inputs(console, *arguments); }};
 }
 
