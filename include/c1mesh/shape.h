@@ -36,6 +36,10 @@ struct ReadOptions {
   int max_depth = 256;  ///< nesting of elements or arrays
 };
 
+/// The file's bytes ("-": standard input). Throws InputError (limit) if there are more than
+/// `max_bytes`, FileError if it cannot be read.
+std::string read_bytes(const std::string& path, std::size_t max_bytes);
+
 /// Reads JSON (a list of curves with `poles`, or an object with it under "curves") or SVG, told
 /// apart by content, from `path` ("-": standard input). Throws InputError for content that cannot
 /// be used, FileError if the file cannot be opened.

@@ -36,7 +36,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.fallthrough();
   const std::vector<Command> commands = {add_run(app),  add_check(app),   add_verify(app),
-                                         add_draw(app), add_convert(app), add_generate(app)};
+                                         add_draw(app), add_convert(app), add_generate(app),
+                                         add_batch(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
