@@ -144,7 +144,7 @@ class Batch {
     remove_old_index(left);
     const Progress progress = console_.progress("batch");
     show(progress);
-    Pool pool(options_, journal, [&](const InputEnd& end) {
+    Pool pool(options_, [&](const InputEnd& end) {
       if (end.for_good && !end.finished.key.empty()) journal.append(end.finished);
       records_.add(end.finished);
       show(progress);

@@ -176,8 +176,7 @@ Json failure_record(const BatchInput& input, const std::string& name, Status sta
       {"message", printable(message)}};
 }
 
-Child start_child(const BatchInput& input, const BatchOptions& options, Journal& journal,
-                  std::size_t first) {
+Child start_child(const BatchInput& input, const BatchOptions& options, std::size_t first) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0)
     throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
@@ -193,7 +192,6 @@ Child start_child(const BatchInput& input, const BatchOptions& options, Journal&
     close(ends[1]);
     return {process, ends[0]};
   }
-  journal.abandon();
   close(ends[0]);
   die_with_parent(parent);
   if (!options.verbose) silence();

@@ -44,7 +44,6 @@ struct Child {
 
 /// Forks a process that does the input's drawings from number `first` on. Must be called while this
 /// process has one thread only. Throws std::runtime_error if there can be no more processes.
-Child start_child(const BatchInput& input, const BatchOptions& options, Journal& journal,
-                  std::size_t first);
+Child start_child(const BatchInput& input, const BatchOptions& options, std::size_t first);
 
 }  // namespace c1mesh::app

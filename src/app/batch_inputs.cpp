@@ -91,7 +91,8 @@ std::vector<BatchInput> part_of(const std::vector<BatchInput>& inputs, const Sha
   return part;
 }
 
-// write_file calls its temporary files .TARGET.XXXXXX. Whose they are the stems tell, as no two clash.
+// write_file calls its temporary files .TARGET.XXXXXX. Whose they are the stems tell, as no two
+// clash.
 void remove_leftovers(const std::string& folder, const std::vector<BatchInput>& inputs) {
   constexpr std::size_t kRandomPart = 7;
   std::map<std::string, bool> ours;

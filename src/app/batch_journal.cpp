@@ -3,13 +3,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <stdexcept>
 
 #include "app/command.h"
@@ -64,28 +62,38 @@ Journal::Journal(const std::string& path, const Json& header, bool resume) : pat
     hold();
     read_lines(header, resume);
   } catch (...) {
-    abandon();
+    close(descriptor_);
     throw;
   }
 }
 
 Journal::~Journal() {
-  abandon();
+  close(descriptor_);
 }
 
-void Journal::abandon() {
-  if (descriptor_ >= 0) close(descriptor_);
-  descriptor_ = -1;
-}
-
+// A record lock is this process's alone: children do not inherit it, so that it ends with us.
+// (Closing any other descriptor of the file would end it too; nothing here opens the file twice.)
 // File systems without locks go without: only a process that surely holds it is an obstacle.
 void Journal::hold() {
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  struct flock whole = {};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  if (fcntl(descriptor_, F_SETLK, &whole) != 0 && (errno == EACCES || errno == EAGAIN))
     throw std::invalid_argument(path_ + ": another process works on this batch");
 }
 
+std::string Journal::text() const {
+  std::string text;
+  std::vector<char> block(1 << 16);
+  while (const ssize_t count = ::read(descriptor_, block.data(), block.size())) {
+    if (count < 0 && errno != EINTR) fail(path_, "read");
+    if (count > 0) text.append(block.data(), static_cast<std::size_t>(count));
+  }
+  return text;
+}
+
 void Journal::read_lines(const Json& header, bool resume) {
-  const std::string text = read_bytes(path_, std::numeric_limits<std::size_t>::max());
+  const std::string text = this->text();
   const std::size_t whole = text.rfind('\n') + 1;  // npos + 1 is 0
   if (whole < text.size() && ftruncate(descriptor_, static_cast<off_t>(whole)) != 0)
     fail(path_, "shorten");

@@ -42,11 +42,10 @@ class Journal {
   /// The finished input of this key, or null.
   const Finished* find(const std::string& key) const;
   void append(const Finished& input);
-  /// For a child: lets go of the file, and so of the lock.
-  void abandon();
 
  private:
   void hold();
+  std::string text() const;
   void read_lines(const Json& header, bool resume);
   void write_line(const Json& json);
 

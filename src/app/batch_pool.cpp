@@ -35,8 +35,8 @@ int wait_for(pid_t process) {
 
 }  // namespace
 
-Pool::Pool(const BatchOptions& options, Journal& journal, Heard heard)
-    : options_(options), journal_(journal), heard_(std::move(heard)) {}
+Pool::Pool(const BatchOptions& options, Heard heard)
+    : options_(options), heard_(std::move(heard)) {}
 
 void Pool::work(const std::vector<BatchInput>& inputs) {
   std::size_t next = 0;
@@ -71,7 +71,7 @@ void Pool::work(const std::vector<BatchInput>& inputs) {
 }
 
 void Pool::start(Work& work) {
-  work.child = start_child(work.input, options_, journal_, work.begun);
+  work.child = start_child(work.input, options_, work.begun);
   work.since = Clock::now();
   work.heard.clear();
 }

@@ -25,7 +25,7 @@ class Pool {
   using Heard = std::function<void(const InputEnd&)>;
 
   /// `heard` is called in this thread, once per input that came to an end.
-  Pool(const BatchOptions& options, Journal& journal, Heard heard);
+  Pool(const BatchOptions& options, Heard heard);
   /// After a signal children are asked to stop; those that do not within three seconds are killed.
   void work(const std::vector<BatchInput>& inputs);
 
@@ -55,7 +55,6 @@ class Pool {
   void stop_all();
 
   const BatchOptions& options_;
-  Journal& journal_;
   Heard heard_;
   std::list<Work> working_;
 };
