@@ -37,10 +37,10 @@ std::string polygon(int corners) {
   return out.str() + "]";
 }
 
-// Fourteen good inputs and two with bad shapes.
+// Eight good inputs and two with bad shapes.
 void write_shapes(const Folder& folder) {
   ASSERT_EQ(folder.run("generate --set A --count 2 -o in").status, 0);
-  for (int corners = 3; corners < 15; ++corners)
+  for (int corners = 3; corners < 9; ++corners)
     folder.write("in/p" + std::to_string(corners) + ".json", polygon(corners));
   folder.write("in/broken.json", "[{\"curve_id\":0,");
   folder.write("in/p3.svg",
@@ -64,6 +64,12 @@ std::map<std::string, std::string> results_in(const Folder& folder, const std::s
   return out;
 }
 
+// Shell commands that wait until a file has so many lines.
+std::string wait_for_lines(const std::string& file, int count) {
+  return "until [ \"$(cat " + file + " 2>/dev/null | wc -l)\" -ge " + std::to_string(count) +
+         " ]; do sleep 0.01; done; ";
+}
+
 // The only child of the batch whose process id is in $pid (the shell's), once it has one.
 constexpr const char* kFindChild =
     "until child=$(cat /proc/[0-9]*/stat 2>/dev/null | awk -v p=$pid '$4 == p && $3 != \"Z\" "
@@ -74,13 +80,13 @@ TEST(Batch, IndexHasALinePerResultAndTheWorstStatusCounts) {
   write_shapes(folder);
   const Ran ran = folder.run("batch in -o out --formats json");
   EXPECT_EQ(ran.status, 3) << ran.err;
-  EXPECT_TRUE(contains(ran.err, "16 inputs, 18 results")) << ran.err;
+  EXPECT_TRUE(contains(ran.err, "10 inputs, 12 results")) << ran.err;
   const std::vector<json> lines = lines_of(folder.read("out/index.jsonl"));
-  ASSERT_EQ(lines.size(), 18u);
+  ASSERT_EQ(lines.size(), 12u);
   std::map<std::string, json> by_name;
   for (const json& line : lines) by_name[line["name"]] = line;
-  for (int corners = 3; corners < 15; ++corners) {
-    const json& line = by_name.at("p" + std::to_string(corners));
+  for (int corners = 3; corners < 9; ++corners) {
+    const json& line = by_name.at(std::string("p").append(std::to_string(corners)));
     EXPECT_EQ(line["status"], 0);
     EXPECT_EQ(line["exceptional"], 0);  // every corner is convex
     EXPECT_GE(line["g"], 2 - 1e-9);     // |J|² >= 2 det J
@@ -98,9 +104,9 @@ TEST(Batch, IndexHasALinePerResultAndTheWorstStatusCounts) {
   const auto files = folder.files("out");
   EXPECT_EQ(std::count_if(files.begin(), files.end(),
                           [](const std::string& f) { return f.ends_with(".c1.json"); }),
-            16);
+            10);
   EXPECT_FALSE(contains(folder.read("out/index.jsonl"), "seconds"));
-  EXPECT_EQ(lines_of(folder.read("out/times.jsonl")).size(), 18u);
+  EXPECT_EQ(lines_of(folder.read("out/times.jsonl")).size(), 12u);
 }
 
 TEST(Batch, ResultsAreThoseOfRun) {
@@ -127,7 +133,27 @@ TEST(Batch, JobsAndShardsMakeNoDifference) {
                 .status,
             0);
   EXPECT_EQ(results_in(folder, "one"), results_in(folder, "parts"));
-  EXPECT_EQ(lines_of(folder.read("parts/times.jsonl")).size(), 18u);
+  EXPECT_EQ(lines_of(folder.read("parts/times.jsonl")).size(), 12u);
+}
+
+// The cluster's part played by the shell.
+TEST(Batch, TheSlurmScriptDoesItsShardsAndMergesThem) {
+  const Folder folder;
+  write_shapes(folder);
+  EXPECT_EQ(folder.run("batch in -o one --formats json").status, 3);
+  const std::string script = "'" C1MESH_EXAMPLES "/../docs/slurm.sh' ";
+  const auto task = [&](int k) {
+    return folder
+        .run("--version; C1MESH='" C1MESH_PROGRAM "' SLURM_ARRAY_TASK_ID=" + std::to_string(k) +
+             " SLURM_ARRAY_TASK_COUNT=2 SLURM_CPUS_PER_TASK=2 " + script + "in out --formats json")
+        .status;
+  };
+  EXPECT_EQ(task(1), 3);
+  EXPECT_EQ(folder.run("--version; " + script + "merge out 2").status, 5);
+  EXPECT_EQ(folder.read("out/index.jsonl"), "");
+  task(2);
+  EXPECT_EQ(folder.run("--version; " + script + "merge out 2").status, 0);
+  EXPECT_EQ(folder.read("out/index.jsonl"), folder.read("one/index.jsonl"));
 }
 
 TEST(Batch, AListMayComeFromStandardInputInAnyOrder) {
@@ -210,24 +236,24 @@ TEST(Batch, ResumingRedoesWhatIsMissingTornOrChanged) {
     const std::string text = folder.read("out/journal.jsonl");
     return std::count(text.begin(), text.end(), '\n');
   };
-  ASSERT_EQ(lines(), 17);  // the first says what all depends on
+  ASSERT_EQ(lines(), 11);  // the first says what all depends on
   EXPECT_EQ(folder.run("batch in -o out --formats json --resume").status, 3);
-  EXPECT_EQ(lines(), 17);  // nothing was left to do
+  EXPECT_EQ(lines(), 11);  // nothing was left to do
   // The last line torn: that input again.
   folder.write("out/journal.jsonl", journal.substr(0, journal.size() - 20));
   EXPECT_EQ(folder.run("batch in -o out --formats json --resume").status, 3);
-  EXPECT_EQ(lines(), 17);
+  EXPECT_EQ(lines(), 11);
   EXPECT_EQ(results_in(folder, "out"), whole);
   // A result gone: that input again.
   EXPECT_EQ(folder.run("--version; rm out/p7.c1.json").status, 0);
   EXPECT_EQ(folder.run("batch in -o out --formats json --resume").status, 3);
-  EXPECT_EQ(lines(), 18);
+  EXPECT_EQ(lines(), 12);
   EXPECT_EQ(results_in(folder, "out"), whole);
   // A changed input again, and leftovers of killed processes go.
   folder.write("out/.p7.c1.json.abcdef", "half");
   folder.write("in/p7.json", polygon(20));
   EXPECT_EQ(folder.run("batch in -o out --formats json --resume").status, 3);
-  EXPECT_EQ(lines(), 19);
+  EXPECT_EQ(lines(), 13);
   EXPECT_NE(results_in(folder, "out"), whole);
   EXPECT_EQ(results_in(folder, "out").count(".p7.c1.json.abcdef"), 0u);
 }
@@ -252,45 +278,50 @@ TEST(Batch, AKilledChildIsThatInputsFailureAlone) {
   const Folder folder;
   write_shapes(folder);
   ASSERT_EQ(folder.run("--version; mkfifo in/endless.json").status, 0);
-  const std::string waiting =
-      "list=$(echo in/endless.json > l); " C1MESH_PROGRAM " batch l -o out --resume & pid=$!; ";
   for (const auto& [signal, number] : {std::pair("SEGV", "11"), std::pair("KILL", "9")}) {
-    const Ran ran = folder.run("--version; rm -rf out; " + waiting + kFindChild + "kill -" +
+    const std::string out = std::string("out") + number;
+    const Ran ran = folder.run("batch in -o " + out + " -j 2 --formats json & pid=$!; " +
+                               wait_for_lines(out + "/journal.jsonl", 11) + kFindChild + "kill -" +
                                signal + " $child; wait $pid");
     EXPECT_EQ(ran.status, 1) << ran.err;
-    const std::vector<json> lines = lines_of(folder.read("out/index.jsonl"));
-    ASSERT_EQ(lines.size(), 1u);
-    EXPECT_EQ(lines[0]["status"], 1);
-    EXPECT_TRUE(contains(lines[0]["message"], std::string("signal ") + number)) << lines[0];
-  }
-  // Beside others: they are done.
-  const Ran all = folder.run("batch in -o all -j 2 --kill-after 1 --formats json");
-  EXPECT_EQ(all.status, 3) << all.err;
-  const std::vector<json> lines = lines_of(folder.read("all/index.jsonl"));
-  ASSERT_EQ(lines.size(), 19u);
-  for (const json& line : lines)
-    if (line["name"] == "endless") {
-      EXPECT_EQ(line["status"], 5);
-      EXPECT_TRUE(contains(line["message"], "ended after 1 seconds")) << line;
+    const std::vector<json> lines = lines_of(folder.read(out + "/index.jsonl"));
+    ASSERT_EQ(lines.size(), 13u);
+    int good = 0;
+    for (const json& line : lines) {
+      good += line["status"] == 0;
+      if (line["name"] != "endless") continue;
+      EXPECT_EQ(line["status"], 1);
+      EXPECT_TRUE(contains(line["message"], std::string("signal ") + number)) << line;
     }
-  EXPECT_EQ(
-      std::count_if(lines.begin(), lines.end(), [](const json& l) { return l["status"] == 0; }),
-      16);
+    EXPECT_EQ(good, 10);
+  }
+}
+
+TEST(Batch, WhatTakesTooLongIsKilled) {
+  const Folder folder;
+  ASSERT_EQ(folder.run("--version; mkfifo endless.json; echo endless.json > list").status, 0);
+  const Ran ran = folder.run("batch list -o out --kill-after 0.2");
+  EXPECT_EQ(ran.status, 5) << ran.err;
+  const std::vector<json> lines = lines_of(folder.read("out/index.jsonl"));
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0]["status"], 5);
+  EXPECT_TRUE(contains(lines[0]["message"], "ended after 0.2 seconds")) << lines[0];
 }
 
 TEST(Batch, ASignalStopsAWaitingChildAndLeavesItUndone) {
   const Folder folder;
   write_shapes(folder);
-  const Ran ran = folder.run(std::string("--version; mkfifo in/endless.json; ") + C1MESH_PROGRAM +
-                             " batch in -o out -j 2 --formats json & pid=$!; sleep 0.6; "
-                             "kill -TERM $pid; wait $pid");
+  const Ran ran =
+      folder.run(std::string("--version; mkfifo in/endless.json; ") + C1MESH_PROGRAM +
+                 " batch in -o out -j 2 --formats json & pid=$!; " +
+                 wait_for_lines("out/journal.jsonl", 11) + "kill -TERM $pid; wait $pid");
   EXPECT_EQ(ran.status, 5) << ran.err;
   EXPECT_TRUE(contains(ran.err, "--resume goes on")) << ran.err;
   EXPECT_FALSE(contains(folder.read("out/journal.jsonl"), "endless"));
   // Without the endless one the batch is whole.
   EXPECT_EQ(folder.run("--version; rm in/endless.json").status, 0);
   EXPECT_EQ(folder.run("batch in -o out --formats json --resume").status, 3);
-  EXPECT_EQ(lines_of(folder.read("out/index.jsonl")).size(), 18u);
+  EXPECT_EQ(lines_of(folder.read("out/index.jsonl")).size(), 12u);
 }
 
 // 1 MB of address space is less than the program has when it starts: what needs no more memory is
