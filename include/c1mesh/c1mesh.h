@@ -3,6 +3,7 @@
 #pragma once
 
 #include "c1mesh/error.h"
+#include "c1mesh/font.h"
 #include "c1mesh/generate.h"
 #include "c1mesh/options.h"
 #include "c1mesh/parametrize.h"

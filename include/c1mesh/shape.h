@@ -33,7 +33,8 @@ struct ReadOptions {
   bool together = false;  ///< SVG: the whole drawing as one arrangement, unfilled lines as features
   std::size_t max_bytes = 200'000'000;
   std::size_t max_curves = 1'000'000;
-  int max_depth = 256;  ///< nesting of elements or arrays
+  std::size_t max_characters = 10'000;  ///< of a text to be set in a font
+  int max_depth = 256;                  ///< nesting of elements or arrays
 };
 
 /// The file's bytes ("-": standard input). Throws InputError (limit) if there are more than

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/inputs.h"
 #include "app/interrupt.h"
 #include "app/road.h"
 
@@ -12,7 +13,7 @@ namespace c1mesh::app {
 namespace {
 
 struct RunArguments {
-  std::vector<std::string> inputs;
+  InputArguments inputs;
   RunOptions options;
 };
 
@@ -32,15 +33,16 @@ void choose_name(Run& run, const std::string& input, Drawing& drawing) {
                               wanted, drawing.name)));
 }
 
-Status run_input(Run& run, const std::string& input) {
+Status run_input(Run& run, const Input& input) {
   Status status = Status::ok;
-  for (Drawing& drawing : read_input(input, run.arguments.options.read)) {
+  for (Drawing& drawing : input.read()) {
     if (interrupted()) return worse(status, Status::limit);
-    const std::string label = input + " (" + drawing.name + ")";
-    status = worse(status, guarded(run.console, label, [&] {
-                     choose_name(run, input, drawing);
-                     return run_drawing(run.console, run.arguments.options, input, drawing).status;
-                   }));
+    const std::string label = input.label + " (" + drawing.name + ")";
+    status =
+        worse(status, guarded(run.console, label, [&] {
+                choose_name(run, input.label, drawing);
+                return run_drawing(run.console, run.arguments.options, input.label, drawing).status;
+              }));
   }
   return status;
 }
@@ -49,25 +51,32 @@ Status run_inputs(Console& console, const RunArguments& arguments) {
   catch_signals();
   Run run{console, arguments, {}};
   Status status = Status::ok;
-  for (const std::string& input : arguments.inputs) {
+  for (const Input& input : inputs_of(arguments.inputs, arguments.options.read)) {
     if (interrupted()) return worse(status, Status::limit);
-    status = worse(status, guarded(console, input, [&] { return run_input(run, input); }));
+    status = worse(status, guarded(console, input.label, [&] { return run_input(run, input); }));
   }
   return status;
 }
+
+constexpr const char* kRunFooter = R"(
+Examples:
+  c1mesh run shape.svg -o out
+  c1mesh run --font DejaVuSans.ttf --text Bezier -o out    every letter a shape
+Many shapes: c1mesh batch.)";
 
 }  // namespace
 
 Command add_run(CLI::App& app) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* cli = app.add_subcommand("run", "Read, check, mesh, make C1, verify, write");
-  cli->add_option("INPUT", arguments->inputs, "JSON or SVG files, - for standard input")
-      ->required();
+  add_inputs(*cli, arguments->inputs);
   cli->add_option("-o,--output", arguments->options.folder,
                   "Folder for NAME.c1.json and the rest; -: the JSON alone to standard output")
       ->required();
   add_run_options(*cli, arguments->options);
+  cli->footer(kRunFooter + app.get_footer());
   cli->final_callback([arguments] {
+    require_inputs(arguments->inputs);
     if (arguments->options.trade_off && arguments->options.folder == "-")
       throw CLI::ValidationError("--trade-off", "needs a folder to write to");
   });
