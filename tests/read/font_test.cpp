@@ -14,6 +14,7 @@ namespace c1mesh {
 namespace {
 
 constexpr const char* kFont = C1MESH_TEST_FONT;
+constexpr const char* kCubicFont = C1MESH_TEST_CUBIC_FONT;
 
 // The integral of (x dy - y dx) / 2 along the curve; three Gauss points are exact to degree 5.
 double signed_area(const BezierCurve& curve) {
@@ -51,9 +52,9 @@ double signed_area(const Shape& shape, const Loop& loop) {
 /// The font's own points, without the reader.
 class Face {
  public:
-  Face() {
+  explicit Face(const char* path = kFont) {
     FT_Init_FreeType(&library_);
-    FT_New_Face(library_, kFont, 0, &face_);
+    FT_New_Face(library_, path, 0, &face_);
   }
   ~Face() { FT_Done_FreeType(library_); }
 
@@ -103,6 +104,35 @@ double area_by_archimedes(const FT_Outline& outline) {
   return area;
 }
 
+// Of outlines of lines and cubics, each of which is three points after the one where it begins:
+// with the integrals of the products of cubic Bernstein polynomials and their derivatives.
+double area_of_cubics(const FT_Outline& outline) {
+  double area = 0;
+  for (int contour = 0, first = 0; contour < outline.n_contours; ++contour) {
+    const int count = outline.contours[contour] - first + 1;
+    const auto at = [&](int i) {
+      const FT_Vector& v = outline.points[first + i % count];
+      return Point(static_cast<double>(v.x), static_cast<double>(v.y));
+    };
+    const auto on = [&](int i) { return (outline.tags[first + i % count] & 1) != 0; };
+    for (int i = 0; i < count;) {
+      EXPECT_TRUE(on(i));
+      if (on(i + 1)) {
+        area += cross(at(i), at(i + 1)) / 2;
+        ++i;
+        continue;
+      }
+      const Point a = at(i), b = at(i + 1), c = at(i + 2), d = at(i + 3);
+      area += (6 * cross(a, b) + 3 * cross(a, c) + cross(a, d) + 3 * cross(b, c) + 3 * cross(b, d) +
+               6 * cross(c, d)) /
+              20;
+      i += 3;
+    }
+    first += count;
+  }
+  return area;
+}
+
 class Letters : public testing::Test {
  protected:
   void SetUp() override {
@@ -124,6 +154,28 @@ TEST_F(Letters, HaveTheAreaOfTheFontsOwnPoints) {
     EXPECT_NEAR(signed_area(drawings[0]), expected, 1e-9 * std::abs(expected)) << text;
     EXPECT_LT(expected, 0) << text;  // TrueType's outer contours run clockwise
   }
+}
+
+TEST(CubicLetters, HaveTheAreaOfTheFontsOwnPointsAndTheirHoles) {
+  if (!std::ifstream(kCubicFont)) GTEST_SKIP() << "no font: install fonts-cantarell";
+  const Face face(kCubicFont);
+  bool cubic = false;
+  for (const auto& [text, holes] :
+       {std::pair("B", 2u), std::pair("g", 1u), std::pair("S", 0u), std::pair("8", 2u)}) {
+    const Drawing drawing = read_font(kCubicFont, text).front();
+    const double expected = area_of_cubics(face.load(static_cast<unsigned char>(text[0]))->outline);
+    EXPECT_GT(expected, 0) << text;  // CFF's outer contours run counter-clockwise
+    EXPECT_NEAR(signed_area(drawing), expected, 1e-9 * expected) << text;
+    for (const InputCurve& input : drawing.curves) {
+      EXPECT_TRUE(input.curve.degree() == 1 || input.curve.degree() == 3) << input.id;
+      cubic |= input.curve.degree() == 3;
+      for (const Point& p : input.curve.poles) EXPECT_EQ(p, p.array().round().matrix());
+    }
+    const Shape shape = make_shape(drawing);
+    ASSERT_EQ(shape.regions.size(), 1u) << text;
+    EXPECT_EQ(shape.regions[0].holes.size(), holes) << text;
+  }
+  EXPECT_TRUE(cubic);
 }
 
 // Font units are integers; only implied points can be halves. Loops close bit for bit.
