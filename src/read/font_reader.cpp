@@ -5,6 +5,8 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 

@@ -212,7 +212,10 @@ TEST_P(Interrupted, ResumesToTheSameIndexByteForByte) {
                      moment + "; kill -" + signal + " $pid; wait $pid");
       if (ran.status == 3) continue;  // it was faster
       ++broken_off;
-      EXPECT_EQ(ran.status, signal == "KILL" ? 128 + 9 : 5) << ran.err;
+      // 128 + 15: on a slow machine the signal came before the program could heed it.
+      EXPECT_TRUE(signal == "KILL" ? ran.status == 128 + 9
+                                   : ran.status == 5 || ran.status == 128 + 15)
+          << ran.status << ran.err;
       for (const std::string& file : folder.files(out))
         EXPECT_TRUE(!file.ends_with(".c1.json") || json::accept(folder.read(out + "/" + file)));
       EXPECT_FALSE(results_in(folder, out).count("index.jsonl"));
@@ -278,7 +281,7 @@ TEST(Batch, AKilledChildIsThatInputsFailureAlone) {
   const Folder folder;
   write_shapes(folder);
   ASSERT_EQ(folder.run("--version; mkfifo in/endless.json").status, 0);
-  for (const auto& [signal, number] : {std::pair("SEGV", "11"), std::pair("KILL", "9")}) {
+  for (const auto& [signal, number] : {std::pair("ABRT", "6"), std::pair("KILL", "9")}) {
     const std::string out = std::string("out") + number;
     const Ran ran = folder.run("batch in -o " + out + " -j 2 --formats json & pid=$!; " +
                                wait_for_lines(out + "/journal.jsonl", 11) + kFindChild + "kill -" +
