@@ -30,6 +30,7 @@ MODULES = {
     "linear": ("tool", "Objective", "its minimum: sparse Cholesky, damped Newton"),
     "domain": ("road", "CurvedMesh, Roles", "DomainState: flat chains, low distortion"),
     "optimise": ("road", "CurvedMesh, Roles", "Attempt: an exactly C1 map, or where it failed"),
+    "paper": ("road", "CurvedMesh, Options", "PaperSolution: the paper's two phases; the C1 projection"),
     "result": ("road", "Result or text", "text or Result; files whole or not at all"),
     "verify": ("road", "Result", "VerifyReport: proofs and metrics"),
     "pipeline": ("road", "Shape, Options", "Outcome: Result, verified"),

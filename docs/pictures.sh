@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: docs/pictures.sh [BIN]      (BIN: build/release/bin/c1mesh)
 # Draws every example anew: docs/pictures/NAME.svg is what `c1mesh run examples/NAME.* -o FOLDER`
-# writes as FOLDER/NAME.svg. Then one trade-off (NAME.tradeoff.svg, with --trade-off), the table of examples, docs/examples.md, and the picture of the
-# modules.
+# writes as FOLDER/NAME.svg. Then one trade-off (NAME.tradeoff.svg, with --trade-off), the plot of one
+# trace (NAME.trace.svg, with --trace), the table of examples, docs/examples.md, and the picture of
+# the modules.
 set -euo pipefail
 bin=$(readlink -f "${1:-$(dirname "${BASH_SOURCE[0]}")/../build/release/bin/c1mesh}")
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
@@ -15,8 +16,9 @@ mkdir -p docs/pictures
 for picture in "$out"/*.svg; do
   cp "$picture" docs/pictures/
 done
-"$bin" --quiet run examples/puzzle.svg -o "$out/trade-off" --trade-off
+"$bin" --quiet run examples/puzzle.svg -o "$out/trade-off" --trade-off --trace "$out/trace.jsonl"
 cp "$out/trade-off/puzzle.tradeoff.svg" docs/pictures/
+"$bin" draw "$out/trace.jsonl" --width 720 -o docs/pictures/puzzle.trace.svg
 python3 docs/tables.py examples "$out" >"$out/examples.md"
 cp "$out/examples.md" docs/examples.md
 python3 docs/architecture.py

@@ -8,6 +8,7 @@
 #include "c1mesh/options.h"
 #include "c1mesh/parametrize.h"
 #include "c1mesh/progress.h"
+#include "c1mesh/project.h"
 #include "c1mesh/result.h"
 #include "c1mesh/shape.h"
 #include "c1mesh/trace.h"

@@ -7,7 +7,34 @@
 
 namespace c1mesh {
 
+enum class Method {
+  exact,  ///< C1 to rounding (docs/method.md)
+  paper,  ///< the paper's two phases (docs/paper.md)
+};
+
+/// How near-flat domain vertices are moved onto the line between two corners (paper, section 4.3).
+enum class Straightening {
+  orthogonal,  ///< orthogonally, as the paper says
+  fractions,   ///< to the fractions that C1 at smooth boundary vertices asks for
+};
+
+/// Parameters of the paper's method, with the paper's values (section 5.1) as defaults. Two values
+/// are for phase one and phase two. Lengths are measured where the larger side of the shape's
+/// bounding box is `extent` units: E_s grows with it, E_reg with its square, E_g not at all.
+struct PaperOptions {
+  double extent = 1000;
+  double regularisation[2] = {1e-6, 1e-8};  ///< lambda_reg
+  double hard_penalty[2] = {100, 1};        ///< lambda_h
+  double barrier = 0.1;                     ///< rho
+  double alpha_lift = 3;                    ///< factor on alpha in phase two
+  double smoothing[2] = {1e-3, 1e-9};       ///< of the norms in E_s, first and last, tenfold
+                                            ///< falling; relative to the extent
+  int iterations[2] = {300, 60};            ///< at most, in each phase
+  Straightening straightening = Straightening::orthogonal;
+};
+
 struct Options {
+  Method method = Method::exact;
   double alpha = 100;       ///< g(t) <= alpha * mips_bound is asked of every triangle (eq. 4.5)
   double mips_bound = 10;   ///< mu, the MIPS bound of the initial triangulation
   int degree = 3;           ///< at least 3; raised to the input's highest degree
@@ -18,7 +45,14 @@ struct Options {
   double corner_angle = 8;  ///< degrees: a joint that turns by more is a corner
   int threads = 0;          ///< 0: as many as there are cores; the result does not depend on it
   std::uint64_t seed = 1;
-  double time_limit = 0;  ///< seconds; 0: none
+  double time_limit = 0;   ///< seconds; 0: none
+  int repeat = 1;          ///< paper's method: how often phases one and two are run
+  bool project = false;    ///< afterwards onto the C1 space, boundary and all (paper, section 5.4)
+  double c1_bound = 1e-4;  ///< paper's method: d_ei, relative to the extent, that is asked
+  PaperOptions paper;
 };
+
+/// The largest g(t) that is asked: alpha mips_bound, in the paper's method with alpha as lifted.
+double distortion_asked(const Options& options);
 
 }  // namespace c1mesh

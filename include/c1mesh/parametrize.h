@@ -24,8 +24,8 @@ struct Outcome {
 };
 
 /// Computes the map of every region of `shape`, verified. Throws Interrupted if `progress` says so
-/// before any valid state exists, std::invalid_argument for options out of range. `trace` is told of
-/// every iteration.
+/// before any valid state exists, std::invalid_argument for options out of range. `trace` is told
+/// of every iteration.
 Outcome parametrize(const Shape& shape, const Options& options = {}, const Progress& progress = {},
                     const Trace& trace = {});
 

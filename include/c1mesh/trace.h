@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace c1mesh {
 
@@ -22,5 +23,28 @@ struct TraceRecord {
 
 /// Called after every iteration, from the thread that runs the work; empty: nothing is recorded.
 using Trace = std::function<void(const TraceRecord&)>;
+
+/// A line of a trace file: a record, and the shape it belongs to.
+struct TraceLine {
+  std::string shape;
+  TraceRecord record;
+};
+
+/// The text of a trace file (docs/format.md): a JSON object for each line, in this order. What is
+/// not finite is written as null.
+std::string format_trace(const std::vector<TraceLine>& lines);
+
+/// The inverse, null being infinite. Throws InputError that names the number of the first line that
+/// is malformed.
+std::vector<TraceLine> parse_trace(const std::string& text);
+
+/// Is this the text of a trace? By its first line; the rest may be malformed.
+bool is_trace(const std::string& text);
+
+/// An SVG picture over the iterations counted through: E_s, below it g, below that E_reg, each on a
+/// logarithmic axis; bands in the colours of the stages, lines between the passes. `width` in
+/// pixels, at least 300.
+std::string draw_trace(const std::string& title, const std::vector<TraceRecord>& records,
+                       double width = 1200);
 
 }  // namespace c1mesh

@@ -26,6 +26,10 @@ struct VerifyOptions {
   int max_subdivision = 60;              ///< depth of bisection before rationals decide
 };
 
+/// Bounds as the result's parameters claim them (`c1_bound`, `conformance_bound`), the defaults
+/// where they claim none.
+VerifyOptions claimed_bounds(const Result& result);
+
 struct VerifyReport {
   std::vector<VerifyItem> items;
   Metrics metrics;  ///< recomputed from the result alone (`seconds` is empty)

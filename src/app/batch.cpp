@@ -11,6 +11,7 @@
 #include "app/batch_pool.h"
 #include "app/command.h"
 #include "app/interrupt.h"
+#include "app/validators.h"
 #include "c1mesh/version.h"
 
 namespace c1mesh::app {
@@ -18,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct BatchArguments {
+  const CLI::App* cli = nullptr;
   std::string inputs;
   std::string shard = "1/1";
   bool resume = false;
@@ -55,15 +57,12 @@ std::string program_hash() {
   }
 }
 
-Json journal_header(const BatchOptions& options) {
+// What decides the bytes of the results.
+Json journal_header(const CLI::App& cli) {
   Json header = {{"c1mesh", version()}, {"program", program_hash()}};
-  std::istringstream lines(described(options.run));
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t space = line.find(' ');
-    header[line.substr(0, space)] = line.substr(space + 1);
-  }
-  header["kill-after"] = options.kill_after;
-  header["memory-limit"] = options.memory_limit;
+  const auto values =
+      values_of(cli, {"INPUTS", "--output", "--jobs", "--shard", "--resume", "--help"});
+  for (const auto& [name, value] : values) header[name] = value;
   return header;
 }
 
@@ -130,7 +129,7 @@ class Batch {
   Status work() {
     create_folder(options_.run.folder);
     refuse_inputs_in(options_.run.folder, inputs_);
-    Journal journal(path("journal"), journal_header(options_), arguments_.resume);
+    Journal journal(path("journal"), journal_header(*arguments_.cli), arguments_.resume);
     remove_leftovers(options_.run.folder, inputs_);
     std::vector<BatchInput> left;
     for (const BatchInput& input : inputs_) {
@@ -255,6 +254,7 @@ Command add_batch(CLI::App& app) {
       ->capture_default_str()
       ->check(at_least(0));
   add_run_options(*cli, options.run);
+  arguments->cli = cli;
   cli->footer(kBatchFooter + app.get_footer());
   return {cli, [arguments](Console& console) { return run_batch(console, *arguments); }};
 }

@@ -25,6 +25,7 @@ Command add_run(CLI::App& app);
 Command add_check(CLI::App& app);
 Command add_verify(CLI::App& app);
 Command add_draw(CLI::App& app);
+Command add_project(CLI::App& app);
 Command add_convert(CLI::App& app);
 Command add_generate(CLI::App& app);
 Command add_batch(CLI::App& app);

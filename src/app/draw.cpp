@@ -1,19 +1,89 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// c1mesh draw: pictures of results.
+// c1mesh draw: pictures of results, plots of traces.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "app/command.h"
+#include "c1mesh/error.h"
+#include "c1mesh/trace.h"
 #include "c1mesh/write.h"
 
 namespace c1mesh::app {
 namespace {
 
 struct DrawArguments {
-  std::string result, output;
+  std::string input, output;
   bool no_mesh = false;
+  std::string shape;  // of a trace; empty: the first
+  int region = -1;    // of that shape; -1: the first
   DrawOptions options;
 };
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw FileError("cannot open " + path + ": " + std::strerror(errno));
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (file.bad()) throw FileError("cannot read " + path);
+  return text;
+}
+
+// The text of a trace; nothing if the file is none. What can be read only once is taken by its
+// name.
+std::optional<std::string> trace_text(const std::string& path) {
+  std::error_code ignored;
+  const bool named = path.ends_with(".jsonl");
+  if (!named && !std::filesystem::is_regular_file(path, ignored)) return {};
+  const std::string text = read_text(path);
+  return named || is_trace(text) ? std::optional(text) : std::nullopt;
+}
+
+[[noreturn]] void fail(const std::string& message, const std::string& remedy) {
+  Defect defect;
+  defect.kind = DefectKind::empty;
+  defect.message = message;
+  defect.remedy = remedy;
+  throw InputError({defect});
+}
+
+std::string plot(const DrawArguments& arguments, const std::string& text) {
+  const std::vector<TraceLine> lines = parse_trace(text);
+  if (lines.empty()) fail("the trace holds no iterations", "run a shape that can be meshed");
+  const std::string shape = arguments.shape.empty() ? lines[0].shape : arguments.shape;
+  int region = arguments.region, regions = 0;
+  std::vector<TraceRecord> records;
+  for (const TraceLine& line : lines) {
+    if (line.shape != shape) continue;
+    if (region < 0) region = line.record.region;
+    regions = std::max(regions, line.record.region + 1);
+    if (line.record.region == region) records.push_back(line.record);
+  }
+  if (records.empty())
+    fail(arguments.region < 0
+             ? fmt::format("the trace holds nothing of the shape '{}'", shape)
+             : fmt::format("the trace holds nothing of region {} of the shape '{}'",
+                           arguments.region, shape),
+         "choose another --shape or --region");
+  return draw_trace(regions > 1 ? fmt::format("{}, region {}", shape, region) : shape, records,
+                    arguments.options.width);
+}
+
+std::string picture(const DrawArguments& arguments) {
+  if (const auto text = trace_text(arguments.input)) return plot(arguments, *text);
+  if (!arguments.shape.empty() || arguments.region >= 0)
+    throw std::invalid_argument("--shape and --region are for traces; this is none");
+  DrawOptions chosen = arguments.options;
+  chosen.show_mesh = !arguments.no_mesh;
+  return draw_svg(read_result(arguments.input), chosen);
+}
 
 }  // namespace
 
@@ -23,8 +93,10 @@ Command add_draw(CLI::App& app) {
                                                          {"c1-deviation", Colour::c1_deviation}};
   auto arguments = std::make_shared<DrawArguments>();
   DrawOptions& options = arguments->options;
-  CLI::App* cli = app.add_subcommand("draw", "Draw a result: shape and domain with iso-curves");
-  cli->add_option("RESULT", arguments->result, "NAME.c1.json")->required();
+  CLI::App* cli = app.add_subcommand(
+      "draw", "Draw a result: shape and domain with iso-curves; or plot a trace");
+  cli->add_option("RESULT", arguments->input, "NAME.c1.json, or what run --trace wrote")
+      ->required();
   cli->add_option("-o,--output", arguments->output, "SVG file, - for standard output")->required();
   cli->add_option("--width", options.width, "Width of the picture in pixels")
       ->capture_default_str()
@@ -36,12 +108,12 @@ Command add_draw(CLI::App& app) {
       ->transform(CLI::CheckedTransformer(kColours).description(""));
   cli->add_flag("--no-mesh", arguments->no_mesh, "Leave the triangles' edges out");
   cli->add_flag("--control-net", options.show_control_net, "Show the control points");
+  cli->add_option("--shape", arguments->shape, "Of a trace: this shape instead of the first");
+  cli->add_option("--region", arguments->region, "Of a trace: this region, counted from 0")
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""));
   return {cli, [arguments](Console& console) {
-            return guarded(console, arguments->result, [&] {
-              const Result result = read_result(arguments->result);
-              DrawOptions chosen = arguments->options;
-              chosen.show_mesh = !arguments->no_mesh;
-              deliver(arguments->output, draw_svg(result, chosen));
+            return guarded(console, arguments->input, [&] {
+              deliver(arguments->output, picture(*arguments));
               return Status::ok;
             });
           }};

@@ -10,6 +10,7 @@
 #include "app/status.h"
 #include "c1mesh/result.h"
 #include "c1mesh/shape.h"
+#include "c1mesh/trace.h"
 
 namespace c1mesh::app {
 
@@ -25,6 +26,6 @@ struct DrawingRun {
 /// Checks, meshes, makes C1, verifies, writes, and says the summary; `drawing.name` names the
 /// files. Throws what these throw, and WriteError; nothing was written then.
 DrawingRun run_drawing(Console& console, const RunOptions& options, const std::string& input,
-                       const Drawing& drawing);
+                       const Drawing& drawing, const Trace& trace = {});
 
 }  // namespace c1mesh::app

@@ -14,6 +14,7 @@ namespace {
 
 struct RunArguments {
   InputArguments inputs;
+  std::string trace;  // file, empty: none
   RunOptions options;
 };
 
@@ -22,6 +23,7 @@ struct Run {
   Console& console;
   const RunArguments& arguments;
   OutputNames names;
+  std::vector<TraceLine> trace = {};
 };
 
 void choose_name(Run& run, const std::string& input, Drawing& drawing) {
@@ -33,16 +35,36 @@ void choose_name(Run& run, const std::string& input, Drawing& drawing) {
                               wanted, drawing.name)));
 }
 
+// Empty unless a trace was asked for: a run that nobody watches does not stop to measure.
+Trace tracer(Run& run, const std::string& shape) {
+  if (run.arguments.trace.empty()) return {};
+  return [&run, shape](const TraceRecord& record) { run.trace.push_back({shape, record}); };
+}
+
+// Whatever became of the shapes.
+Status write_trace(const Run& run) {
+  const std::string& path = run.arguments.trace;
+  if (path.empty()) return Status::ok;
+  return guarded(run.console, path, [&] {
+    const std::size_t slash = path.find_last_of('/');
+    if (slash != std::string::npos && slash > 0) create_folder(path.substr(0, slash));
+    deliver(path, format_trace(run.trace));
+    run.console.say(fmt::format("trace: {}, {} iterations", printable(path), run.trace.size()));
+    return Status::ok;
+  });
+}
+
 Status run_input(Run& run, const Input& input) {
   Status status = Status::ok;
   for (Drawing& drawing : input.read()) {
     if (interrupted()) return worse(status, Status::limit);
     const std::string label = input.label + " (" + drawing.name + ")";
-    status =
-        worse(status, guarded(run.console, label, [&] {
-                choose_name(run, input.label, drawing);
-                return run_drawing(run.console, run.arguments.options, input.label, drawing).status;
-              }));
+    status = worse(status, guarded(run.console, label, [&] {
+                     choose_name(run, input.label, drawing);
+                     return run_drawing(run.console, run.arguments.options, input.label, drawing,
+                                        tracer(run, drawing.name))
+                         .status;
+                   }));
   }
   return status;
 }
@@ -52,10 +74,13 @@ Status run_inputs(Console& console, const RunArguments& arguments) {
   Run run{console, arguments, {}};
   Status status = Status::ok;
   for (const Input& input : inputs_of(arguments.inputs, arguments.options.read)) {
-    if (interrupted()) return worse(status, Status::limit);
+    if (interrupted()) {
+      status = worse(status, Status::limit);
+      break;
+    }
     status = worse(status, guarded(console, input.label, [&] { return run_input(run, input); }));
   }
-  return status;
+  return worse(status, write_trace(run));
 }
 
 constexpr const char* kRunFooter = R"(
@@ -74,6 +99,11 @@ Command add_run(CLI::App& app) {
                   "Folder for NAME.c1.json and the rest; -: the JSON alone to standard output")
       ->required();
   add_run_options(*cli, arguments->options);
+  cli->add_option("--trace", arguments->trace,
+                  "Also this file, one JSON object per iteration; c1mesh draw makes a plot of it")
+      ->check([](const std::string& path) {
+        return path.empty() || path == "-" ? "needs the name of a file" : "";
+      });
   cli->footer(kRunFooter + app.get_footer());
   cli->final_callback([arguments] {
     require_inputs(arguments->inputs);

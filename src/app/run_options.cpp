@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run_options.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <limits>
-#include <set>
+
+#include "app/paper_options.h"
+#include "app/validators.h"
 
 namespace c1mesh::app {
 namespace {
@@ -15,16 +14,6 @@ std::string check_exceptional(const std::string& text) {
       !text.empty() && text.size() < 9 &&
       std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
   return digits || text == "min" ? "" : "must be a number of vertices or 'min'";
-}
-
-CLI::Validator above(double least) {
-  const std::string range = fmt::format("above {}", least);
-  return {[=](const std::string& text) {
-            double value = 0;
-            const bool number = CLI::detail::lexical_cast(text, value);
-            return number && value > least ? "" : "must be a number " + range;
-          },
-          range, "above"};
 }
 
 void add_method_options(CLI::App& cli, Options& options) {
@@ -62,29 +51,13 @@ void add_method_options(CLI::App& cli, Options& options) {
   cli.add_option("--time-limit", options.time_limit, "Seconds per shape; 0: none")
       ->capture_default_str()
       ->check(at_least(0));
+  add_paper_options(cli, options);
 }
 
 }  // namespace
 
 bool RunOptions::wants(const std::string& format) const {
   return std::find(formats.begin(), formats.end(), format) != formats.end();
-}
-
-// CLI::Range lets "nan" through.
-CLI::Validator at_least(double least) {
-  return at_least(least, std::numeric_limits<double>::max());
-}
-
-CLI::Validator at_least(double least, double most) {
-  const bool open = most == std::numeric_limits<double>::max();
-  const std::string range =
-      open ? fmt::format("at least {}", least) : fmt::format("from {} to {}", least, most);
-  return {[=](const std::string& text) {
-            double value = 0;
-            const bool number = CLI::detail::lexical_cast(text, value);
-            return number && value >= least && value <= most ? "" : "must be a number " + range;
-          },
-          range, "at_least"};
 }
 
 void add_together(CLI::App& cli, ReadOptions& options) {
@@ -104,18 +77,19 @@ void add_run_options(CLI::App& cli, RunOptions& options) {
   add_method_options(cli, options.options);
 }
 
-std::string described(const RunOptions& chosen) {
-  const Options& o = chosen.options;
-  std::string out = "formats";
-  std::set<std::string> formats(chosen.formats.begin(), chosen.formats.end());
-  formats.insert("json");
-  for (const std::string& format : formats) out += " " + format;
-  out += fmt::format("\ntogether {}\ntrade-off {}", chosen.read.together, chosen.trade_off);
-  out += fmt::format("\nalpha {}\nmips-bound {}\ndegree {}\nexceptional {}\nrefine {}", o.alpha,
-                     o.mips_bound, o.degree, o.exceptional, o.refine);
-  out += fmt::format("\nno-overlap {}\ncorner-angle {}\nthreads {}\nseed {}\ntime-limit {}",
-                     o.no_overlap, o.corner_angle, o.threads, o.seed, o.time_limit);
-  return out;
+// Of every option, also of those that are added some day.
+std::map<std::string, std::string> values_of(const CLI::App& cli,
+                                             const std::set<std::string>& left_out) {
+  std::map<std::string, std::string> values;
+  for (const CLI::Option* option : cli.get_options()) {
+    const std::string name = option->get_name();
+    if (left_out.count(name)) continue;
+    std::string value = option->get_default_str();
+    if (option->count() > 0) value = CLI::detail::join(option->results(), ",");
+    if (value.size() > 1 && value.front() == '[') value = value.substr(1, value.size() - 2);
+    values[name] = value;
+  }
+  return values;
 }
 
 }  // namespace c1mesh::app

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,11 +29,9 @@ void add_run_options(CLI::App& cli, RunOptions& options);
 /// --together alone.
 void add_together(CLI::App& cli, ReadOptions& options);
 
-/// A number of at least `least`, at most `most`; not "nan".
-CLI::Validator at_least(double least);
-CLI::Validator at_least(double least, double most);
-
-/// Everything that decides the bytes of the results, as text, one `name value` a line.
-std::string described(const RunOptions& options);
+/// The values of a command's options, name to text, but for those named: what its results depend
+/// on.
+std::map<std::string, std::string> values_of(const CLI::App& cli,
+                                             const std::set<std::string>& left_out);
 
 }  // namespace c1mesh::app

@@ -66,9 +66,9 @@ std::vector<std::string> missed_bounds(const Outcome& outcome, const Options& op
   if (outcome.within_bounds) return {};
   const Metrics& metrics = outcome.result.metrics;
   std::vector<std::string> missed;
-  const double bound = options.alpha * options.mips_bound;
+  const double bound = distortion_asked(options);
   if (metrics.mips_bound_max > bound)
-    missed.push_back(fmt::format("the distortion bound {:.4g} exceeds alpha * mips-bound = {:.4g}",
+    missed.push_back(fmt::format("the distortion bound {:.4g} exceeds the {:.4g} asked for",
                                  metrics.mips_bound_max, bound));
   if (options.exceptional >= 0 && metrics.exceptional > options.exceptional)
     missed.push_back(fmt::format("{} vertices are exceptional where {} were allowed",
@@ -94,7 +94,7 @@ std::string summary(const Console& console, const Outcome& outcome, const Option
   out += row("C1 deviation", spread(m.d_ei));
   out += row("conformance", fmt::format("{:.2e}", m.conformance_max));
   out += row("distortion bound g", fmt::format("max {:.4g} (asked: {:.4g})", m.mips_bound_max,
-                                               options.alpha * options.mips_bound));
+                                               distortion_asked(options)));
   out += row("least det coefficient", fmt::format("{:.2e}", m.min_det_coefficient));
   out += row("flatness ratio", fmt::format("{:.4g}", m.flatness_ratio));
   if (m.domain_overlaps) out += row("domain", "overlaps itself in the plane");

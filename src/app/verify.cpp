@@ -31,8 +31,10 @@ Shape input_shape(const VerifyArguments& arguments, const Result& result) {
 
 Status verify_file(Console& console, const VerifyArguments& arguments, const std::string& path) {
   const Result result = read_result(path);
-  const VerifyReport report =
-      arguments.input.empty() ? verify(result) : verify(result, input_shape(arguments, result));
+  const VerifyOptions bounds = claimed_bounds(result);
+  const VerifyReport report = arguments.input.empty()
+                                  ? verify(result, bounds)
+                                  : verify(result, input_shape(arguments, result), bounds);
   const bool valid = report.valid();
   console.say(fmt::format(
       "{}: {}\n{}", printable(path),

@@ -77,6 +77,48 @@ Eigen::VectorXd det_coefficients(const JacobianTables& tables, const Net& net) {
   return out;
 }
 
+Eigen::MatrixXd det_gradients(const JacobianTables& tables, const Net& net) {
+  const double scale = double(tables.degree) * tables.degree;
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(2 * tables.net_size, tables.det_size);
+  for (int k = 0; k < tables.det_size; ++k)
+    for (const auto& pair : tables.products[k]) {
+      const int ao = tables.origin[pair.first], au = tables.along_u[pair.first];
+      const int bo = tables.origin[pair.second], bv = tables.along_v[pair.second];
+      const Point u = scale * pair.weight * (net[au] - net[ao]);
+      const Point v = scale * pair.weight * (net[bv] - net[bo]);
+      const Point along_u(v.y(), -v.x()), along_v(-u.y(), u.x());
+      out.block<2, 1>(2 * au, k) += along_u;
+      out.block<2, 1>(2 * ao, k) -= along_u;
+      out.block<2, 1>(2 * bv, k) += along_v;
+      out.block<2, 1>(2 * bo, k) -= along_v;
+    }
+  return out;
+}
+
+void add_det_hessian(const JacobianTables& tables, const Eigen::VectorXd& weights,
+                     Eigen::MatrixXd& hessian) {
+  const int N = tables.net_size;
+  // curl_ij: weight of cross(p_i, p_j) in sum_k weights_k c_k.
+  Eigen::MatrixXd curl = Eigen::MatrixXd::Zero(N, N);
+  const double scale = double(tables.degree) * tables.degree;
+  for (int k = 0; k < tables.det_size; ++k)
+    for (const auto& pair : tables.products[k]) {
+      const int ao = tables.origin[pair.first], au = tables.along_u[pair.first];
+      const int bo = tables.origin[pair.second], bv = tables.along_v[pair.second];
+      const double weight = scale * weights[k] * pair.weight;
+      curl(au, bv) += weight;
+      curl(au, bo) -= weight;
+      curl(ao, bv) -= weight;
+      curl(ao, bo) += weight;
+    }
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < N; ++j) {
+      const double entry = curl(i, j) - curl(j, i);  // of x_i y_j
+      hessian(2 * i, 2 * j + 1) += entry;
+      hessian(2 * j + 1, 2 * i) += entry;
+    }
+}
+
 Eigen::VectorXd norm_coefficients(const JacobianTables& tables, const Net& net, const Point& d1,
                                   const Point& d2) {
   // J = n [a, b] D^-1 with D = [d1, d2]: the columns of J are mixed by the rows of D^-1.

@@ -44,6 +44,15 @@ class JacobianTables {
 /// Bernstein coefficients of det of the derivative over the unit triangle: (n a) x (n b).
 Eigen::VectorXd det_coefficients(const JacobianTables& tables, const Net& net);
 
+/// Their gradients with respect to the control points: column k is that of coefficient k, x and y
+/// of control point i in rows 2i and 2i+1.
+Eigen::MatrixXd det_gradients(const JacobianTables& tables, const Net& net);
+
+/// Adds sum_k weights[k] Hessian(c_k) to the leading 2 net_size rows and columns of `hessian`. The
+/// coefficients are bilinear, so their Hessians do not depend on the control points.
+void add_det_hessian(const JacobianTables& tables, const Eigen::VectorXd& weights,
+                     Eigen::MatrixXd& hessian);
+
 /// Bernstein coefficients of |J|_F^2, J the Jacobian of the map from the domain triangle with edge
 /// vectors (d1, d2) to the Bezier triangle.
 Eigen::VectorXd norm_coefficients(const JacobianTables& tables, const Net& net, const Point& d1,

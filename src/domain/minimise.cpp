@@ -115,6 +115,7 @@ NewtonReport untangle_domain(DomainObjective& objective, Eigen::VectorXd& unknow
     if (checkpoint) checkpoint();
     const double before = objective.value(unknowns);
     newton_step(objective, solver, unknowns, report.value, report.last_step);
+    if (checkpoint.observe) checkpoint.observe(unknowns, report.last_step);
     least = objective.least_determinant(unknowns);
     const double sigma = std::max(0.1, 1 - report.value / before);
     const double root = std::hypot(epsilon, least);

@@ -55,6 +55,15 @@ struct Attempt {
   DomainReport report;
 };
 
+// An observer hears of places of vertices, a layout's computation is over its unknowns.
+Checkpoint over_unknowns(const CurvedMesh& mesh, const DomainLayout& layout,
+                         const Checkpoint& checkpoint) {
+  return checkpoint.over([&mesh, &layout](const Eigen::VectorXd& x) {
+    const PointMatrix rows = layout.exact * unflatten(x);
+    return flatten(rows.topRows(mesh.vertex_count()));
+  });
+}
+
 // Newton that keeps the boundary from crossing itself: a few steps at a time with a fresh scaffold.
 // Steps after which it crosses nevertheless are undone and taken with the whole scaffold.
 NewtonReport minimise_apart(const CurvedMesh& mesh, const DomainLayout& layout,
@@ -71,7 +80,8 @@ NewtonReport minimise_apart(const CurvedMesh& mesh, const DomainLayout& layout,
     all.insert(all.end(), scaffold.begin(), scaffold.end());
     DomainObjective objective(layout, std::move(all));
     objective.exponent = exponent;
-    const NewtonReport part = newton(objective, x, {5, options.relative_decrease}, checkpoint);
+    const NewtonReport part = newton(objective, x, {5, options.relative_decrease},
+                                     over_unknowns(mesh, layout, checkpoint));
     total.iterations += part.iterations;
     total.converged = part.converged;
     if (!boundary_meets_itself(mesh, layout.exact * unflatten(x))) continue;
@@ -97,6 +107,7 @@ Attempt attempt_start(const CurvedMesh& mesh, const DomainLayout& layout,
   normalise_domain(mesh, layout, out.unknowns);
   Eigen::VectorXd x = flatten(out.unknowns);
   DomainObjective objective(layout, elements.all);
+  const Checkpoint on_unknowns = over_unknowns(mesh, layout, checkpoint);
   if (objective.least_determinant(x) < least_start) {
     DomainLayout filled = layout;
     std::vector<DomainElement> with_holes = elements.all;
@@ -104,12 +115,13 @@ Attempt attempt_start(const CurvedMesh& mesh, const DomainLayout& layout,
     fill_holes(mesh, 0.1, filled, with_holes, unknowns);
     DomainObjective tangled(filled, with_holes);
     Eigen::VectorXd y = flatten(unknowns);
-    out.report.untangle_iterations =
-        untangle_domain(tangled, y, options.untangle_iterations, checkpoint).iterations;
+    out.report.untangle_iterations = untangle_domain(tangled, y, options.untangle_iterations,
+                                                     over_unknowns(mesh, filled, checkpoint))
+                                         .iterations;
     x = y.head(x.size());
     if (!(objective.least_determinant(x) > 0))
       out.report.untangle_iterations +=
-          untangle_domain(objective, x, options.untangle_iterations, checkpoint).iterations;
+          untangle_domain(objective, x, options.untangle_iterations, on_unknowns).iterations;
   }
   out.unknowns = unflatten(x);
   const PointMatrix points = layout.exact * out.unknowns;
@@ -122,7 +134,7 @@ Attempt attempt_start(const CurvedMesh& mesh, const DomainLayout& layout,
 
   const auto minimise = [&](const NewtonOptions& steps) {
     return apart ? minimise_apart(mesh, layout, elements, objective.exponent, steps, x, checkpoint)
-                 : newton(objective, x, steps, checkpoint);
+                 : newton(objective, x, steps, on_unknowns);
   };
   const NewtonReport first = minimise({options.newton_iterations, 1e-4});
   out.report.newton_iterations = first.iterations;

@@ -36,7 +36,8 @@ struct DomainState {
 };
 
 /// Tries the starts in order and keeps the first valid result without crossings, else the best: the
-/// warm one, the shape, the unbent one (kept apart, then not), the convex one.
+/// warm one, the shape, the unbent one (kept apart, then not), the convex one. An observer is told
+/// of the places of the mesh's vertices (x and y interleaved), valid or not.
 DomainState solve_domain(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                          const DomainOptions& options, DomainReport& report,
                          const Checkpoint& checkpoint);

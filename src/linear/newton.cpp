@@ -40,6 +40,7 @@ NewtonReport newton(const Objective& objective, Eigen::VectorXd& x, const Newton
     if (checkpoint) checkpoint();
     const double decrease = newton_step(objective, solver, x, report.value, report.last_step);
     ++report.iterations;
+    if (checkpoint.observe) checkpoint.observe(x, report.last_step);
     if (decrease <= options.relative_decrease * std::abs(report.value)) {
       report.converged = true;
       break;

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
-#include <functional>
 
+#include "linear/checkpoint.h"
 #include "linear/sparse_solver.h"
 
 namespace c1mesh {
@@ -37,9 +37,6 @@ struct NewtonReport {
   double last_step = 0;    ///< step length of the last iteration
   bool converged = false;  ///< ended by the decrease, not by the iteration limit
 };
-
-/// Called between iterations; throws to stop (cancellation, time limit).
-using Checkpoint = std::function<void()>;
 
 /// One step with backtracking. Returns the decrease, 0 if none was possible.
 double newton_step(const Objective& objective, SparseSolver& solver, Eigen::VectorXd& x,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "domain/apart.h"
+#include "optimise/tracing.h"
 
 namespace c1mesh {
 namespace {
@@ -26,11 +27,13 @@ void finish(const CurvedMesh& mesh, const Joints& joints, const DomainLayout& la
 }  // namespace
 
 Attempt attempt_region(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
-                       const AttemptOptions& options, const Checkpoint& checkpoint) {
+                       const AttemptOptions& options, const Checkpoint& outer) {
   Attempt out;
   out.roles = roles;
+  const Checkpoint checkpoint = traced_roles(outer, joints, roles);
   DomainReport report;
-  const DomainState domain = solve_domain(mesh, joints, roles, options.domain, report, checkpoint);
+  const DomainState domain = solve_domain(mesh, joints, roles, options.domain, report,
+                                          traced_domain(checkpoint, "domain", mesh, joints, roles));
   out.domain_valid = report.valid;
   out.crossings = report.crossings;
   out.energy = report.energy;
@@ -59,10 +62,11 @@ Attempt attempt_region(const CurvedMesh& mesh, const Joints& joints, const Roles
 }
 
 Attempt attempt_on_initial_domain(const CurvedMesh& mesh, const Joints& joints,
-                                  const ExactOptions& options, const Checkpoint& checkpoint) {
+                                  const ExactOptions& options, const Checkpoint& outer) {
   Attempt out;
   out.domain_valid = true;
   for (const auto& loop : joints) out.roles.emplace_back(loop.size(), Role::exceptional);
+  const Checkpoint checkpoint = traced_roles(outer, joints, out.roles);
   const DomainLayout layout = make_layout(mesh, joints, out.roles);
   MapState state{PointMatrix(mesh.vertex_count(), 2), mesh.control};
   for (int v = 0; v < mesh.vertex_count(); ++v)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mesh/bisect.h"
+#include "optimise/tracing.h"
 
 namespace c1mesh {
 namespace {
@@ -52,6 +53,12 @@ bool settle(Stage& stage, double before, double target, const ExactOptions& exac
       asked_equations(stage.mesh, stage.joints, stage.map.roles, layout, state.control);
   const PointMatrix domain = (layout.exact * state.unknowns).topRows(stage.mesh.vertex_count());
   if (project_exactly(stage.mesh, layout, asked, state) >= kExact) return false;
+  if (checkpoint.trace) {
+    TraceRecord record = trace_record(stage.mesh, asked, domain, state.control);
+    record.stage = "refinement";
+    record.step = 1;  // the projection
+    checkpoint.trace(record);
+  }
   const auto measure = [&] {
     stage.g = distortion_bounds(stage.mesh, domain, state.control);
     return stage.largest();
@@ -82,7 +89,11 @@ bool settle(Stage& stage, double before, double target, const ExactOptions& exac
 
 void refine_where_distorted(const RefineOptions& options, const ExactOptions& exact,
                             CurvedMesh& mesh, Joints& joints, Attempt& attempt,
-                            const Checkpoint& checkpoint) {
+                            const Checkpoint& outer) {
+  const Checkpoint checkpoint =
+      traced_roles(outer, joints, attempt.roles).marked([](TraceRecord& record) {
+        record.stage = "refinement";
+      });
   Stage stage{mesh, joints, attempt, {}};
   set_domain(stage.mesh, attempt.domain.points);
   stage.mesh.control = attempt.control;

@@ -7,6 +7,7 @@
 
 #include "domain/apart.h"
 #include "mesh/topology.h"
+#include "optimise/tracing.h"
 
 namespace c1mesh {
 namespace {
@@ -127,7 +128,8 @@ JointReport optimise_jointly(const CurvedMesh& mesh, const DomainLayout& layout,
     objective.rho = options.rho;
     objective.exponent = options.exponent;
     Eigen::VectorXd x = objective.pack(state);
-    const NewtonReport part = newton(objective, x, {iterations, 1e-4}, checkpoint);
+    const NewtonReport part =
+        newton(objective, x, {iterations, 1e-4}, traced_map(checkpoint, "joint", mesh, objective));
     state = objective.unpack(x);
     report.iterations += part.iterations;
     report.energy = part.value;
@@ -150,9 +152,10 @@ ExactReport make_exact(const CurvedMesh& mesh, const DomainLayout& layout,
   const PointMatrix domain = layout.exact * state.unknowns;
   Eigen::VectorXd x = objective.pack(state);
   int stalls = 0;
+  const Checkpoint continuing = traced_map(checkpoint, "continuation", mesh, objective);
   for (double rho = options.first_rho; rho <= options.last_rho && stalls < 2; rho *= 10) {
     objective.rho = rho;
-    report.iterations += newton(objective, x, {options.iterations, 1e-5}, checkpoint).iterations;
+    report.iterations += newton(objective, x, {options.iterations, 1e-5}, continuing).iterations;
     state.control = objective.unpack(x).control;
     const double residue = largest_residue(asked, domain, state.control);
     // Ten times the penalty should all but divide the residue by ten; where it does not even halve
@@ -165,12 +168,14 @@ ExactReport make_exact(const CurvedMesh& mesh, const DomainLayout& layout,
     report.trouble = worst_vertices(asked, domain, state.control, mesh.vertex_count());
     return report;
   }
-  drive_to_zero(objective, options, x, report, checkpoint);
+  const Checkpoint driving = traced_map(checkpoint, "exact", mesh, objective);
+  drive_to_zero(objective, options, x, report, driving);
   state.control = objective.unpack(x).control;
   report.residue = largest_residue(asked, domain, state.control);
   MapState exact = state;
   const ProjectionReport projection = project_to_c1(
       asked, domain, objective.fixed(), control_sizes(mesh, state.control), exact.control);
+  if (driving.observe) driving.observe(objective.pack(exact), 1);
   report.final_residue = projection.after;
   std::vector<double> g = distortion_bounds(mesh, domain, exact.control);
   report.success = projection.after < kExact && std::isfinite(largest_of(g));
@@ -212,14 +217,16 @@ bool lower_distortion(const CurvedMesh& mesh, const DomainLayout& layout,
   brief.iterations = 2;
   brief.multiplier_rounds = 6;
   ExactReport report;
+  const Checkpoint lowering = traced_map(checkpoint, "p-norm", mesh, objective);
   for (double p = 4; p <= options.final_exponent; p *= 2) {
     objective.exponent = p;
     objective.reference = objective.largest(x);
-    newton(objective, x, {6, 1e-3}, checkpoint);
-    drive_to_zero(objective, brief, x, report, checkpoint);
+    newton(objective, x, {6, 1e-3}, lowering);
+    drive_to_zero(objective, brief, x, report, lowering);
     MapState next{state.unknowns, objective.unpack(x).control};
     const ProjectionReport projection = project_to_c1(
         asked, domain, objective.fixed(), control_sizes(mesh, next.control), next.control);
+    if (lowering.observe) lowering.observe(objective.pack(next), 1);
     const double g = largest_of(distortion_bounds(mesh, domain, next.control));
     if (!(projection.after < kExact) || !(g < best)) continue;
     best = g;

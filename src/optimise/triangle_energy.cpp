@@ -6,53 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "optimise/inverse_metric.h"
+
 namespace c1mesh {
-namespace {
-
-// The three entries of S(D) = adj(D) adj(D)^T / det D with their derivatives in vec D.
-struct InverseMetric {
-  Eigen::Vector3d value;                 // S11, S12, S22
-  Eigen::Matrix<double, 3, 4> gradient;  // rows: entries
-};
-
-InverseMetric inverse_metric(const Eigen::Matrix2d& D) {
-  const Point a = D.col(0), b = D.col(1);
-  const double det = cross(a, b);
-  const Eigen::Vector3d top(b.squaredNorm(), -a.dot(b), a.squaredNorm());
-  Eigen::Matrix<double, 3, 4> d_top;
-  d_top << 0, 0, 2 * b.x(), 2 * b.y(),  //
-      -b.x(), -b.y(), -a.x(), -a.y(),   //
-      2 * a.x(), 2 * a.y(), 0, 0;
-  const Eigen::RowVector4d d_det(b.y(), -b.x(), -a.y(), a.x());
-  InverseMetric S;
-  S.value = top / det;
-  S.gradient = (d_top - S.value * d_det) / det;
-  return S;
-}
-
-// The Hessian in vec D of s . S(D) for constant s: with N = s . top quadratic,
-// H = H_N / det - (dN d_det^T + d_det dN^T) / det^2 + 2 N d_det d_det^T / det^3 - N H_det / det^2.
-Eigen::Matrix4d inverse_metric_hessian(const Eigen::Vector3d& s, const Eigen::Matrix2d& D) {
-  const Point a = D.col(0), b = D.col(1);
-  const double det = cross(a, b);
-  const double N = s[0] * b.squaredNorm() - s[1] * a.dot(b) + s[2] * a.squaredNorm();
-  Eigen::Vector4d dN, dd(b.y(), -b.x(), -a.y(), a.x());
-  dN << 2 * s[2] * a - s[1] * b, 2 * s[0] * b - s[1] * a;
-  Eigen::Matrix4d H = Eigen::Matrix4d::Zero();
-  H.diagonal() << 2 * s[2], 2 * s[2], 2 * s[0], 2 * s[0];
-  H(0, 2) = H(2, 0) = H(1, 3) = H(3, 1) = -s[1];
-  H /= det;
-  H += -(dN * dd.transpose() + dd * dN.transpose()) / (det * det) +
-       2 * N / (det * det * det) * dd * dd.transpose();
-  const double curl = N / (det * det);
-  H(0, 3) -= curl;
-  H(3, 0) -= curl;
-  H(1, 2) += curl;
-  H(2, 1) += curl;
-  return H;
-}
-
-}  // namespace
 
 TriangleEnergy::TriangleEnergy(int degree) : tables_(JacobianTables::of(degree)) {
   const int N = tables_.net_size, M = tables_.derivative_size;
@@ -85,41 +41,14 @@ double TriangleEnergy::value(const Net& net, const Eigen::Matrix2d& D) const {
 // mean(2 c_k^-3 grad c_k grad c_k^T - c_k^-2 hess c_k).
 void TriangleEnergy::inverse_mean(const Net& net, const Eigen::VectorXd& c, double& h,
                                   Eigen::VectorXd& gradient, Eigen::MatrixXd& hessian) const {
-  const int N = tables_.net_size, K = tables_.det_size;
-  const double scale = double(tables_.degree) * tables_.degree;
-  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(2 * N, K);
-  // curl_ij: weight of cross(p_i, p_j) in sum_k c_k^-2 c_k.
-  Eigen::MatrixXd curl = Eigen::MatrixXd::Zero(N, N);
-  for (int k = 0; k < K; ++k) {
-    const double factor = scale / (c[k] * c[k]);
-    for (const auto& pair : tables_.products[k]) {
-      const int ao = tables_.origin[pair.first], au = tables_.along_u[pair.first];
-      const int bo = tables_.origin[pair.second], bv = tables_.along_v[pair.second];
-      const Point u = scale * pair.weight * (net[au] - net[ao]);
-      const Point v = scale * pair.weight * (net[bv] - net[bo]);
-      const Point along_u(v.y(), -v.x()), along_v(-u.y(), u.x());
-      slopes.block<2, 1>(2 * au, k) += along_u;
-      slopes.block<2, 1>(2 * ao, k) -= along_u;
-      slopes.block<2, 1>(2 * bv, k) += along_v;
-      slopes.block<2, 1>(2 * bo, k) -= along_v;
-      const double weight = factor * pair.weight;
-      curl(au, bv) += weight;
-      curl(au, bo) -= weight;
-      curl(ao, bv) -= weight;
-      curl(ao, bo) += weight;
-    }
-  }
+  const int K = tables_.det_size;
+  const Eigen::MatrixXd slopes = det_gradients(tables_, net);
   const Eigen::ArrayXd inverse = c.array().inverse();
   h = inverse.mean();
   gradient = -slopes * inverse.square().matrix() / K;
   const Eigen::MatrixXd scaled = slopes * (2 * inverse.cube()).sqrt().matrix().asDiagonal();
   hessian.noalias() = scaled * scaled.transpose() / K;
-  for (int i = 0; i < N; ++i)
-    for (int j = 0; j < N; ++j) {
-      const double entry = (curl(i, j) - curl(j, i)) / K;  // of x_i y_j
-      hessian(2 * i, 2 * j + 1) -= entry;
-      hessian(2 * j + 1, 2 * i) -= entry;
-    }
+  add_det_hessian(tables_, -inverse.square().matrix() / K, hessian);
 }
 
 bool TriangleEnergy::derivatives(const Net& net, const Eigen::Matrix2d& D, double& value,

@@ -81,6 +81,26 @@ void place_side_by_side(std::vector<RegionSolution>& regions) {
   }
 }
 
+void add_paper_parameters(const Options& options, Parameters& out) {
+  const PaperOptions& p = options.paper;
+  out.emplace_back("c1_bound", options.c1_bound);
+  out.emplace_back("repeat", static_cast<long long>(options.repeat));
+  out.emplace_back("extent", p.extent);
+  out.emplace_back("lambda_reg_one", p.regularisation[0]);
+  out.emplace_back("lambda_reg_two", p.regularisation[1]);
+  out.emplace_back("lambda_hard_one", p.hard_penalty[0]);
+  out.emplace_back("lambda_hard_two", p.hard_penalty[1]);
+  out.emplace_back("rho", p.barrier);
+  out.emplace_back("alpha_lift", p.alpha_lift);
+  out.emplace_back("smoothing_first", p.smoothing[0]);
+  out.emplace_back("smoothing_last", p.smoothing[1]);
+  out.emplace_back("iterations_one", static_cast<long long>(p.iterations[0]));
+  out.emplace_back("iterations_two", static_cast<long long>(p.iterations[1]));
+  out.emplace_back(
+      "straightening",
+      std::string(p.straightening == Straightening::orthogonal ? "orthogonal" : "fractions"));
+}
+
 }  // namespace
 
 Result assemble_result(const Shape& shape, const std::vector<RegionSolution>& regions,
@@ -93,7 +113,7 @@ Result assemble_result(const Shape& shape, const std::vector<RegionSolution>& re
   place_side_by_side(placed);
   for (const RegionSolution& region : placed) add_region(shape, region, result);
   result.parameters = {{"version", std::string(version())},
-                       {"method", std::string("exact")},
+                       {"method", std::string(options.method == Method::paper ? "paper" : "exact")},
                        {"alpha", options.alpha},
                        {"mips_bound", options.mips_bound},
                        {"degree", static_cast<long long>(degree)},
@@ -102,6 +122,7 @@ Result assemble_result(const Shape& shape, const std::vector<RegionSolution>& re
                        {"seed", static_cast<long long>(options.seed)}};
   if (options.refine > 0) result.parameters.emplace_back("refine", options.refine);
   if (options.no_overlap) result.parameters.emplace_back("no_overlap", true);
+  if (options.method == Method::paper) add_paper_parameters(options, result.parameters);
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include "mesh/split.h"
 #include "mesh/topology.h"
 #include "optimise/refine.h"
+#include "optimise/tracing.h"
 #include "pipeline/demotion.h"
 
 namespace c1mesh {
@@ -39,7 +40,7 @@ class Ladder {
   Ladder(const CurvedMesh& initial, const Options& options, const Checkpoint& checkpoint,
          const Roles& start)
       : options_(options),
-        checkpoint_(checkpoint),
+        checkpoint_(checkpoint.marked([this](TraceRecord& record) { record.pass = pass_; })),
         bound_(options.alpha * options.mips_bound),
         coarse_{initial, find_joints(initial, options.corner_angle), {}},
         first_roles_(start) {}
@@ -101,6 +102,7 @@ class Ladder {
     if (!affordable(variant)) return true;
     work_ += variant.mesh.triangle_count();
     ++attempts_;
+    begin_pass();
     AttemptOptions settings;
     settings.domain.weights.wedge = wanted.wedge;
     settings.domain.warm = variant.warm;
@@ -150,6 +152,20 @@ class Ladder {
     refine(best_, settings);
   }
 
+  // For a trace an attempt begins with what is tried to place its corners.
+  void begin_pass() {
+    if (!placing_) ++pass_;
+    placing_ = false;
+  }
+
+  void solve_placed(const Roles& roles, const DomainOptions& settings, DomainReport& report) {
+    if (!placing_) ++pass_;
+    placing_ = true;
+    solve_domain(coarse_.mesh, coarse_.joints, roles, settings, report,
+                 traced_domain(traced_roles(checkpoint_, coarse_.joints, roles), "placement",
+                               coarse_.mesh, coarse_.joints, roles));
+  }
+
   // The placement of missing corners whose domain stage ends lowest.
   Roles placed_roles() {
     const Roles natural = natural_roles(coarse_.joints);
@@ -162,7 +178,7 @@ class Ladder {
       DomainReport report;
       DomainOptions settings;
       settings.final_exponent = 1;
-      solve_domain(coarse_.mesh, coarse_.joints, roles, settings, report, checkpoint_);
+      solve_placed(roles, settings, report);
       const double score = report.energy + (report.crossings ? 1e6 : 0);
       if (!report.valid || score >= lowest) continue;
       lowest = score;
@@ -280,7 +296,7 @@ class Ladder {
       DomainReport report;
       DomainOptions settings;
       settings.warm = coarse_.warm;
-      solve_domain(coarse_.mesh, coarse_.joints, candidate, settings, report, checkpoint_);
+      solve_placed(candidate, settings, report);
       const double score = report.largest + (report.crossings ? 1e6 : 0);
       if (!report.valid || score >= lowest) continue;
       lowest = score;
@@ -322,6 +338,7 @@ class Ladder {
   }
 
   void last_resort() {
+    begin_pass();
     last_ = attempt_on_initial_domain(coarse_.mesh, coarse_.joints, {}, checkpoint_);
     if (last_.success)
       best_ = {true,
@@ -384,7 +401,7 @@ class Ladder {
   static constexpr int kSearchable = 20000;
   static constexpr int kRefinable = 300;  // larger meshes are not refined as a whole
   const Options& options_;
-  const Checkpoint& checkpoint_;
+  const Checkpoint checkpoint_;
   double bound_;
   Variant coarse_;
   std::list<Variant> finer_;  // a list: best_ points into it
@@ -394,6 +411,8 @@ class Ladder {
   bool gave_up_ = false;
   long work_ = 0;
   int attempts_ = 0;
+  int pass_ = 0;          // counts the attempts, for a trace
+  bool placing_ = false;  // the pass has begun, its attempt has not
 };
 
 }  // namespace

@@ -24,9 +24,6 @@ struct RegionSolution {
   bool interrupted = false;  ///< the time limit cut the search short
 };
 
-/// Thrown by a checkpoint when the time limit is reached.
-struct TimeLimitReached {};
-
 /// `bound`: g asked for (alpha mu). The checkpoint may throw TimeLimitReached, after which the best
 /// valid state so far is returned, or anything else, which is passed on. `start`, if not empty:
 /// roles to which exceptional vertices are added, the first roles of a solution with fewer.

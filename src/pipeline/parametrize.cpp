@@ -7,9 +7,12 @@
 
 #include <chrono>
 
+#include "c1mesh/project.h"
 #include "pipeline/assemble.h"
 #include "pipeline/ladder.h"
+#include "pipeline/paper_solution.h"
 #include "pipeline/region_input.h"
+#include "pipeline/region_trace.h"
 #include "pipeline/validate.h"
 
 namespace c1mesh {
@@ -28,15 +31,30 @@ class Clock {
 bool within(const Outcome& outcome, const Options& options) {
   const Metrics& m = outcome.result.metrics;
   return outcome.report.valid() && !outcome.gave_up &&
-         m.mips_bound_max <= options.alpha * options.mips_bound &&
+         m.mips_bound_max <= distortion_asked(options) &&
          !(options.no_overlap && m.domain_overlaps) &&
          (options.exceptional < 0 || m.exceptional <= options.exceptional);
+}
+
+// The projection may cost the map its regularity; then it is left undone, and C1 claimed in vain.
+void project_outcome(const Shape& shape, Outcome& outcome) {
+  const Projection projection = project(outcome.result);
+  VerifyReport report = verify(projection.result, shape, claimed_bounds(projection.result));
+  if (!report.regular()) {
+    outcome.remedies.emplace_back("not projected: triangles would be inverted");
+    outcome.gave_up = true;
+    return;
+  }
+  outcome.remedies.push_back(fmt::format("projected: a control point moved by {:.1e} of the extent",
+                                         projection.largest_move));
+  outcome.result = projection.result;
+  outcome.report = std::move(report);
 }
 
 }  // namespace
 
 Outcome parametrize(const Shape& shape, const Options& options, const Progress& progress,
-                    const Trace& /*trace*/) {
+                    const Trace& trace) {
   validate(options);
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
@@ -62,12 +80,15 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
 
     stage = Clock();
     int steps = 0;
-    const Checkpoint checkpoint = [&] {
+    const auto stop = [&] {
       // How long the search takes is not known; the bar approaches the end without reaching it.
       tell("optimising", 1 - 1 / (1 + 0.01 * ++steps));
       if (options.time_limit > 0 && clock.seconds() > options.time_limit) throw TimeLimitReached();
     };
-    regions.push_back(solve_region(mesh, options, checkpoint));
+    const Checkpoint checkpoint(stop, trace_of_region(trace, static_cast<int>(r)));
+    regions.push_back(options.method == Method::paper
+                          ? solve_region_as_paper(mesh, options, checkpoint)
+                          : solve_region(mesh, options, checkpoint));
     map_seconds += stage.seconds();
     outcome.time_limit_hit |= regions.back().interrupted;
     outcome.gave_up |= regions.back().gave_up;
@@ -77,7 +98,8 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
   if (progress && !progress("verifying", 0.96)) throw Interrupted("cancelled");
   const Clock stage;
   outcome.result = assemble_result(shape, regions, options, degree);
-  outcome.report = verify(outcome.result, shape);
+  outcome.report = verify(outcome.result, shape, claimed_bounds(outcome.result));
+  if (options.project) project_outcome(shape, outcome);
   outcome.result.metrics = outcome.report.metrics;
   outcome.seconds = {{"mesh", mesh_seconds},
                      {"map", map_seconds},

@@ -56,8 +56,9 @@ VerifyItem check_conformance(const Subject& subject, Metrics& metrics) {
       faults.add(fmt::format("edge ({}, {}) is {:.3g} of the extent away from curve {}", e.a, e.b,
                              distance / subject.extent, e.curve));
   }
-  return faults.item("conformance", fmt::format("at most {:.3g} of the extent off the input curves",
-                                                metrics.conformance_max));
+  return faults.item("conformance",
+                     fmt::format("at most {:.3g} of the extent off the input curves (bound {:.3g})",
+                                 metrics.conformance_max, subject.options.conformance_tolerance));
 }
 
 }  // namespace c1mesh::verification

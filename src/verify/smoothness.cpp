@@ -106,8 +106,9 @@ VerifyItem check_c1(const Subject& subject, Metrics& metrics) {
                              *std::max_element(found.d.begin(), found.d.end()) / subject.extent));
   }
   metrics.d_ei = spread_of(std::move(sample));
-  return faults.item("C1", fmt::format("{} edges, deviation at most {:.3g} of the extent",
-                                       edges.size(), metrics.d_ei.max));
+  return faults.item("C1",
+                     fmt::format("{} edges, deviation at most {:.3g} of the extent (bound {:.3g})",
+                                 edges.size(), metrics.d_ei.max, subject.options.c1_tolerance));
 }
 
 }  // namespace c1mesh::verification

@@ -51,6 +51,17 @@ VerifyReport run(const Result& result, const Shape* input, const VerifyOptions& 
 
 }  // namespace
 
+VerifyOptions claimed_bounds(const Result& result) {
+  VerifyOptions out;
+  for (const auto& [name, value] : result.parameters) {
+    const double* bound = std::get_if<double>(&value);
+    if (!bound || !(*bound > 0)) continue;
+    if (name == "c1_bound") out.c1_tolerance = *bound;
+    if (name == "conformance_bound") out.conformance_tolerance = *bound;
+  }
+  return out;
+}
+
 VerifyReport verify(const Result& result, const VerifyOptions& options) {
   return run(result, nullptr, options);
 }

@@ -270,7 +270,7 @@ TEST(Batch, AJournalIsOfOneSetOfOptions) {
   EXPECT_TRUE(contains(again.err, "--resume")) << again.err;
   const Ran other = folder.run("batch in -o out --formats json --resume --alpha 50");
   EXPECT_EQ(other.status, 2);
-  EXPECT_TRUE(contains(other.err, "alpha was \"100\" and is \"50\"")) << other.err;
+  EXPECT_TRUE(contains(other.err, "--alpha was \"100\" and is \"50\"")) << other.err;
   const Ran into = folder.run("batch in -o in");
   EXPECT_EQ(into.status, 2);
   EXPECT_TRUE(contains(into.err, "output folder")) << into.err;

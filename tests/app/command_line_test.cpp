@@ -61,11 +61,12 @@ INSTANTIATE_TEST_SUITE_P(
                     "run a.json -o out --exceptional most", "run a.json -o out --refine 0.5",
                     "run a.json -o - --trade-off", "run a.json -o out --refine nan",
                     "run a.json -o out --refine", "run a.json -o out --formats json,msh",
-                    "run a.json -o out --time-limit -3", "run a.json -o out --corner-angle 181",
-                    "run a.json -o out --no-such-option", "check", "verify", "draw a.json",
-                    "convert a.json", "generate -o out", "generate --set D -o out",
-                    "generate --set A --count -1 -o out", "generate --set A --seed x -o out",
-                    "generate --family cube -o out", "generate --set A --family comb -o out",
+                    "run a.json -o out --time-limit -3", "run a.json -o out --trace -",
+                    "run a.json -o out --corner-angle 181", "run a.json -o out --no-such-option",
+                    "check", "verify", "draw a.json", "convert a.json", "generate -o out",
+                    "generate --set D -o out", "generate --set A --count -1 -o out",
+                    "generate --set A --seed x -o out", "generate --family cube -o out",
+                    "generate --set A --family comb -o out",
                     "generate --family degrees --formats json,svg -o out"));
 
 TEST(CommandLine, MissingFilesAreStatusThree) {

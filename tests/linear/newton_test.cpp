@@ -47,6 +47,45 @@ TEST(Newton, CheckpointStopsIt) {
   EXPECT_THROW(newton(barrier, x, {100, 0}, [] { throw 1; }), int);
 }
 
+// Each iteration is told once, with where it led: the same places that single steps lead to.
+TEST(Newton, TellsEveryIterationToAnObserver) {
+  const Barrier barrier(Eigen::Vector3d(2, 0.1, 50));
+  Eigen::VectorXd x = Eigen::Vector3d(100, 1e-3, 7), single = x;
+  double value = 0, step = 0;
+  SparseSolver solver;
+  int told = 0;
+  const Checkpoint watched =
+      Checkpoint([] {}).observed_by([&](const Eigen::VectorXd& at, double s) {
+        newton_step(barrier, solver, single, value, step);
+        EXPECT_EQ(at, single);
+        EXPECT_EQ(s, step);
+        ++told;
+      });
+  const NewtonReport report = newton(barrier, x, {100, 1e-15}, watched);
+  EXPECT_EQ(told, report.iterations);
+  EXPECT_EQ(x, single);
+}
+
+TEST(Checkpoint, TranslatesAndMarksOnTheWay) {
+  std::vector<double> seen;
+  std::vector<std::string> stages;
+  const Checkpoint watched(
+      [] {}, [&](const TraceRecord& r) { stages.push_back(r.stage + std::to_string(r.pass)); });
+  const Checkpoint marked = watched.marked([](TraceRecord& r) { r.pass = 7; })
+                                .marked([](TraceRecord& r) { r.stage += "!"; })
+                                .observed_by([&](const Eigen::VectorXd& x, double step) {
+                                  seen = {x[0], step};
+                                });
+  marked.over([](const Eigen::VectorXd& x) { return Eigen::VectorXd(2 * x); })
+      .observe(Eigen::VectorXd::Constant(1, 5), 0.5);
+  EXPECT_EQ(seen, (std::vector<double>{10, 0.5}));
+  TraceRecord record;
+  record.stage = "a";
+  marked.trace(record);
+  EXPECT_EQ(stages, std::vector<std::string>{"a!7"});
+  EXPECT_FALSE(watched.over([](const Eigen::VectorXd& x) { return x; }).observe);
+}
+
 // The second pass reuses the pattern; entries above the diagonal are dropped, repeats add up.
 TEST(Assembler, RepeatsAddUpAndPassesAgree) {
   Assembler assembler;

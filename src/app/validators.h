@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ranges of numbers on the command line.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <limits>
+
+namespace c1mesh::app {
+
+// CLI::Range lets "nan" through.
+inline CLI::Validator at_least(double least, double most = std::numeric_limits<double>::max()) {
+  const bool open = most == std::numeric_limits<double>::max();
+  const std::string range =
+      open ? fmt::format("at least {}", least) : fmt::format("from {} to {}", least, most);
+  return {[=](const std::string& text) {
+            double value = 0;
+            const bool number = CLI::detail::lexical_cast(text, value);
+            return number && value >= least && value <= most ? "" : "must be a number " + range;
+          },
+          range, "at_least"};
+}
+
+inline CLI::Validator above(double least) {
+  const std::string range = fmt::format("above {}", least);
+  return {[=](const std::string& text) {
+            double value = 0;
+            const bool number = CLI::detail::lexical_cast(text, value);
+            return number && value > least ? "" : "must be a number " + range;
+          },
+          range, "above"};
+}
+
+}  // namespace c1mesh::app

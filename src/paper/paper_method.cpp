@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paper/paper_method.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "domain/start.h"
+#include "mesh/topology.h"
+#include "optimise/stages.h"
+#include "paper/phase.h"
+
+namespace c1mesh {
+namespace {
+
+double extent_of(const std::vector<Point>& points) {
+  Point low = points.front(), high = low;
+  for (const Point& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return (high - low).maxCoeff();
+}
+
+std::vector<char> branch_points(const CurvedMesh& initial, const Joints& joints) {
+  std::vector<char> out(initial.vertex_count(), 0);
+  for (const auto& path : joints)
+    for (const Joint& j : path)
+      if (j.branch) out[j.vertex] = 1;
+  return out;
+}
+
+class PaperMethod {
+ public:
+  PaperMethod(const CurvedMesh& initial, const Joints& joints, const Options& options,
+              const Checkpoint& checkpoint)
+      : initial_(initial),
+        joints_(joints),
+        options_(options),
+        checkpoint_(checkpoint),
+        extent_(extent_of(initial.control)),
+        mips_bound_(options.mips_bound) {
+    out_.state = {domain_points(initial), initial.control};
+    for (double g : distortion_bounds(initial, out_.state.domain, initial.control))
+      mips_bound_ = std::max(mips_bound_, g);
+  }
+
+  PaperSolution run() {
+    // Branch points of features are exceptional from the start (paper, section 5.2).
+    out_.exceptional = branch_points(initial_, joints_);
+    for (pass_ = 1; pass_ <= options_.repeat && !out_.interrupted; ++pass_) {
+      phase_one();
+      determine_exceptional();
+      if (!out_.interrupted) phase_two();
+    }
+    find_relaxed();
+    return std::move(out_);
+  }
+
+ private:
+  double lifted_bound() const { return options_.paper.alpha_lift * options_.alpha * mips_bound_; }
+
+  // E_s + lambda_reg E_reg + rho E_g in units of which `extent` make the shape's, divided by the
+  // length of such a unit in the normalised frame.
+  PhaseOptions phase_options(int phase) const {
+    const PaperOptions& p = options_.paper;
+    const double unit = p.extent / extent_;
+    PhaseOptions out;
+    out.weights.regularisation = p.regularisation[phase] * unit;
+    out.weights.hard_penalty = p.hard_penalty[phase];
+    out.weights.barrier = p.barrier / unit;
+    out.smoothing[0] = p.smoothing[0] * extent_;
+    out.smoothing[1] = p.smoothing[1] * extent_;
+    out.iterations = p.iterations[phase];
+    out.domain_free = phase == 0;
+    out.no_overlap = options_.no_overlap;
+    return out;
+  }
+
+  void optimise(const char* stage, const AskedEdges& asked, const PhaseOptions& options) {
+    const auto observer = [&](const PaperObjective& objective, const Eigen::VectorXd& x,
+                              double step) {
+      const PaperTerms terms = objective.terms(x);
+      TraceRecord record;
+      record.pass = pass_;
+      record.stage = stage;
+      record.e_s = terms.soft + terms.hard;
+      record.e_reg = terms.regulariser;
+      record.g = terms.g;
+      record.step = step;
+      if (!options.domain_free)
+        record.exceptional =
+            static_cast<int>(std::count(out_.exceptional.begin(), out_.exceptional.end(), 1));
+      checkpoint_.trace(record);
+    };
+    try {
+      run_phase(initial_, asked, options, out_.state, checkpoint_,
+                checkpoint_.trace ? PhaseObserver(observer) : PhaseObserver());
+    } catch (const TimeLimitReached&) {
+      out_.interrupted = true;
+    }
+  }
+
+  void phase_one() {
+    const AskedEdges asked = classify_edges(initial_, branch_points(initial_, joints_));
+    PhaseOptions options = phase_options(0);
+    // In a repetition the state comes from under the lifted bound; and the barrier's smooth bound
+    // exceeds g, which matters where alpha is near one.
+    const PaperObjective start(initial_, asked, out_.state, true);
+    options.weights.bound = std::max(options_.alpha * mips_bound_,
+                                     1.05 * start.largest_distortion(start.pack(out_.state)));
+    optimise("phase one", asked, options);
+  }
+
+  void determine_exceptional() {
+    // So that the barrier's smooth bound is under the lifted bound where g is.
+    const JacobianTables& tables = JacobianTables::of(initial_.degree);
+    const double slack = std::pow(tables.det_size, 2 / DistortionBarrier(initial_.degree).exponent);
+    const Straightened s =
+        straighten(initial_, joints_, out_.state,
+                   {lifted_bound() / slack, options_.paper.straightening, options_.no_overlap});
+    out_.state.domain = s.domain;
+    out_.exceptional = exceptional_corners(initial_, joints_, s);
+    out_.notes.push_back(fmt::format(
+        "pass {}: straightening moved a domain vertex by {:.1e} of the extent, undone {} times",
+        pass_, s.largest_move, s.restored));
+  }
+
+  void phase_two() {
+    PhaseOptions options = phase_options(1);
+    options.weights.bound = lifted_bound();
+    optimise("phase two", classify_edges(initial_, out_.exceptional), options);
+  }
+
+  void find_relaxed() {
+    const MeshTopology topology(initial_);
+    const std::vector<char> feature = feature_flags(initial_, topology);
+    for (std::size_t i = 0; i < topology.edges.size(); ++i) {
+      const MeshEdge& e = topology.edges[i];
+      if (e.triangle[1] < 0) continue;
+      const bool soft = initial_.warped[e.triangle[0]] || initial_.warped[e.triangle[1]];
+      if (feature[i] || (soft && (out_.exceptional[e.a] || out_.exceptional[e.b])))
+        out_.relaxed.push_back({e.a, e.b});
+    }
+  }
+
+  const CurvedMesh& initial_;
+  const Joints& joints_;
+  const Options& options_;
+  int pass_ = 1;
+  const Checkpoint& checkpoint_;
+  double extent_, mips_bound_;
+  PaperSolution out_;
+};
+
+}  // namespace
+
+AskedEdges classify_edges(const CurvedMesh& initial, const std::vector<char>& exceptional) {
+  AskedEdges out;
+  const MeshTopology topology(initial);
+  const std::vector<char> feature = feature_flags(initial, topology);
+  std::vector<C1Edge> edges = c1_edges(initial);  // in the topology's order
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < topology.edges.size(); ++i) {
+    const MeshEdge& e = topology.edges[i];
+    if (e.triangle[1] < 0 || feature[i]) continue;
+    C1Edge& edge = edges[next++];
+    if (!initial.warped[e.triangle[0]] && !initial.warped[e.triangle[1]])
+      out.hard.push_back(std::move(edge));
+    else if (!exceptional[e.a] && !exceptional[e.b])
+      out.soft.push_back(std::move(edge));
+  }
+  return out;
+}
+
+PaperSolution run_paper_method(const CurvedMesh& initial, const Joints& joints,
+                               const Options& options, const Checkpoint& checkpoint) {
+  return PaperMethod(initial, joints, options, checkpoint).run();
+}
+
+}  // namespace c1mesh

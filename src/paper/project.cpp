@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "c1mesh/project.h"
+
+#include <algorithm>
+#include <set>
+
+#include "c1mesh/error.h"
+#include "mesh/topology.h"
+#include "optimise/c1_system.h"
+
+namespace c1mesh {
+namespace {
+
+double extent_of(const Result& result) {
+  Point low = result.control_points.front(), high = low;
+  for (const Point& p : result.control_points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return (high - low).maxCoeff();
+}
+
+// As much of the mesh as the equations need.
+CurvedMesh mesh_of(const Result& result) {
+  CurvedMesh mesh;
+  mesh.degree = result.degree;
+  mesh.domain = result.domain_vertices;
+  mesh.triangles = result.triangles;
+  mesh.control = result.control_points;
+  for (const auto& net : result.triangle_control_points)
+    mesh.nets.insert(mesh.nets.end(), net.begin(), net.end());
+  return mesh;
+}
+
+std::vector<C1Edge> asked_edges(const Result& result, const CurvedMesh& mesh) {
+  std::set<std::pair<int, int>> excluded;
+  for (const auto& e : result.relaxed_edges) excluded.insert(std::minmax(e[0], e[1]));
+  for (const CurveEdge& e : result.feature_edges) excluded.insert(std::minmax(e.a, e.b));
+  std::vector<C1Edge> out;
+  for (C1Edge& e : c1_edges(mesh))
+    if (!excluded.contains(std::minmax(e.vertex[0], e.vertex[1]))) out.push_back(std::move(e));
+  return out;
+}
+
+void set_parameter(Parameters& parameters, const std::string& name, const ParameterValue& value) {
+  for (auto& [key, old] : parameters)
+    if (key == name) {
+      old = value;
+      return;
+    }
+  parameters.emplace_back(name, value);
+}
+
+[[noreturn]] void fail_on_domain() {
+  Defect defect;
+  defect.kind = DefectKind::unsupported;
+  defect.message = "the result's domain has a triangle that is flat or inverted";
+  defect.remedy = "project a result that verifies";
+  throw InputError({defect});
+}
+
+}  // namespace
+
+Projection project(const Result& result, double conformance_bound) {
+  const CurvedMesh mesh = mesh_of(result);
+  PointMatrix domain(mesh.vertex_count(), 2);
+  for (int v = 0; v < mesh.vertex_count(); ++v) domain.row(v) = mesh.domain[v].transpose();
+  for (const auto& t : mesh.triangles)
+    if (!(cross(mesh.domain[t[1]] - mesh.domain[t[0]], mesh.domain[t[2]] - mesh.domain[t[0]]) > 0))
+      fail_on_domain();
+  Projection out{result};
+  // All control points are free and weigh the same: the projection is orthogonal.
+  const ProjectionReport report =
+      project_to_c1(asked_edges(result, mesh), domain, std::vector<char>(mesh.control.size(), 0),
+                    std::vector<double>(mesh.control.size(), 1), out.result.control_points);
+  const double extent = extent_of(result);
+  out.before = report.before / extent;
+  out.after = report.after / extent;
+  out.largest_move = report.largest_move / extent;
+  set_parameter(out.result.parameters, "projected", true);
+  set_parameter(out.result.parameters, "c1_bound", 1e-11);
+  set_parameter(out.result.parameters, "conformance_bound", conformance_bound);
+  return out;
+}
+
+}  // namespace c1mesh
