@@ -24,7 +24,7 @@ from xml.sax.saxutils import escape
 MODULES = {
     "base": ("tool", "", "frames, errors as text, loops over threads"),
     "bernstein": ("tool", "control points", "pieces of curves, Bernstein forms of det J and |J|²"),
-    "read": ("road", "a JSON or SVG file", "Drawing: curves as they stand"),
+    "read": ("road", "a JSON, SVG or font file", "Drawing: curves as they stand"),
     "check": ("road", "Drawing", "Shape: closed, oriented, nested loops; or every Defect"),
     "mesh": ("road", "MeshInput: one region", "CurvedMesh: the pair (T, T^), regular, conforming"),
     "linear": ("tool", "Objective", "its minimum: sparse Cholesky, damped Newton"),

@@ -4,6 +4,7 @@
 
 #include "c1mesh/error.h"
 #include "c1mesh/evaluate.h"
+#include "c1mesh/font.h"
 #include "c1mesh/generate.h"
 #include "c1mesh/options.h"
 #include "c1mesh/parametrize.h"

@@ -33,8 +33,13 @@ struct ReadOptions {
   bool together = false;  ///< SVG: the whole drawing as one arrangement, unfilled lines as features
   std::size_t max_bytes = 200'000'000;
   std::size_t max_curves = 1'000'000;
-  int max_depth = 256;  ///< nesting of elements or arrays
+  std::size_t max_characters = 10'000;  ///< of a text to be set in a font
+  int max_depth = 256;                  ///< nesting of elements or arrays
 };
+
+/// The file's bytes ("-": standard input). Throws InputError (limit) if there are more than
+/// `max_bytes`, FileError if it cannot be read.
+std::string read_bytes(const std::string& path, std::size_t max_bytes);
 
 /// Reads JSON (a list of curves with `poles`, or an object with it under "curves") or SVG, told
 /// apart by content, from `path` ("-": standard input). Throws InputError for content that cannot

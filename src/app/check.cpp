@@ -6,13 +6,15 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/inputs.h"
+#include "app/run_options.h"
 #include "c1mesh/shape.h"
 
 namespace c1mesh::app {
 namespace {
 
 struct CheckArguments {
-  std::vector<std::string> inputs;
+  InputArguments inputs;
   ReadOptions read;
 };
 
@@ -38,11 +40,11 @@ Status check_drawing(Console& console, const std::string& input, const Drawing& 
 
 Status check_inputs(Console& console, const CheckArguments& arguments) {
   Status status = Status::ok;
-  for (const std::string& input : arguments.inputs)
-    status = worse(status, guarded(console, input, [&] {
+  for (const Input& input : inputs_of(arguments.inputs, arguments.read))
+    status = worse(status, guarded(console, input.label, [&] {
                      Status worst = Status::ok;
-                     for (const Drawing& drawing : read_input(input, arguments.read))
-                       worst = worse(worst, check_drawing(console, input, drawing));
+                     for (const Drawing& drawing : input.read())
+                       worst = worse(worst, check_drawing(console, input.label, drawing));
                      return worst;
                    }));
   return status;
@@ -54,10 +56,9 @@ Command add_check(CLI::App& app) {
   auto arguments = std::make_shared<CheckArguments>();
   CLI::App* cli =
       app.add_subcommand("check", "Find every defect of inputs; mesh and write nothing");
-  cli->add_option("INPUT", arguments->inputs, "JSON or SVG files, - for standard input")
-      ->required();
-  cli->add_flag("--together", arguments->read.together,
-                "Take a whole SVG drawing as one arrangement, unfilled lines as features");
+  add_inputs(*cli, arguments->inputs);
+  add_together(*cli, arguments->read);
+  cli->final_callback([arguments] { require_inputs(arguments->inputs); });
   return {cli, [arguments](Console& console) { return check_inputs(console, *arguments); }};
 }
 

@@ -12,8 +12,6 @@
 #include "c1mesh/result.h"
 
 namespace c1mesh::app {
-namespace {
-
 std::string safe_name(const std::string& wanted) {
   std::string out;
   for (const char c : wanted)
@@ -23,8 +21,6 @@ std::string safe_name(const std::string& wanted) {
   if (out.empty() || out.front() == '.' || out.front() == '-') out.insert(0, "_");
   return out;
 }
-
-}  // namespace
 
 Status guarded(Console& console, const std::string& input, const std::function<Status()>& work) {
   const auto fail = [&](Status status, const std::string& text) {

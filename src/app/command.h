@@ -29,6 +29,7 @@ Command add_project(CLI::App& app);
 Command add_convert(CLI::App& app);
 Command add_generate(CLI::App& app);
 Command add_evaluate(CLI::App& app);
+Command add_batch(CLI::App& app);
 
 /// An output file could not be written.
 struct WriteError : std::runtime_error {
@@ -49,6 +50,9 @@ void deliver(const std::string& path, const std::string& text);
 
 /// Creates the folder with its parents. Throws WriteError.
 void create_folder(const std::string& path);
+
+/// `wanted` without separators and control characters, not empty, not hidden, not like an option.
+std::string safe_name(const std::string& wanted);
 
 /// Names for output files: free of separators and of control characters, never handed out twice.
 class OutputNames {

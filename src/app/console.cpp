@@ -43,6 +43,7 @@ void Console::print(const std::string& text) {
 }
 
 void Console::error(const std::string& text) {
+  if (on_error) return on_error(printable(text));
   print(coloured(Tone::bad, "error:") + " " + printable(text));
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 
 #include "c1mesh/error.h"
@@ -20,6 +21,8 @@ class Console {
 
   bool quiet = false;    ///< errors only
   bool verbose = false;  ///< stages and every note too
+  /// If set, errors go here instead of standard error.
+  std::function<void(const std::string&)> on_error;
 
   void error(const std::string& text);
   void say(const std::string& text);     ///< unless quiet

@@ -35,9 +35,9 @@ int main(int argc, char** argv) {
   app.footer(kFooter);
   app.require_subcommand(1);
   app.fallthrough();
-  const std::vector<Command> commands = {add_run(app),      add_check(app),   add_verify(app),
-                                         add_project(app),  add_draw(app),    add_convert(app),
-                                         add_generate(app), add_evaluate(app)};
+  const std::vector<Command> commands = {add_run(app),     add_batch(app),    add_check(app),
+                                         add_verify(app),  add_project(app),  add_draw(app),
+                                         add_convert(app), add_generate(app), add_evaluate(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -46,17 +46,6 @@ std::string read_all(std::istream& in, std::size_t max_bytes) {
   return text;
 }
 
-std::string read_file(const std::string& path, std::size_t max_bytes) {
-  if (path == "-") return read_all(std::cin, max_bytes);
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw FileError(path + ": is a directory");
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw FileError(path + ": cannot be opened: " + std::strerror(errno));
-  std::string text = read_all(in, max_bytes);
-  if (in.bad()) throw FileError(path + ": cannot be read");
-  return text;
-}
-
 enum class Format { json, svg, unknown };
 
 Format format_of(const std::string& text) {
@@ -71,6 +60,17 @@ Format format_of(const std::string& text) {
 }
 
 }  // namespace
+
+std::string read_bytes(const std::string& path, std::size_t max_bytes) {
+  if (path == "-") return read_all(std::cin, max_bytes);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw FileError(path + ": is a directory");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw FileError(path + ": cannot be opened: " + std::strerror(errno));
+  std::string text = read_all(in, max_bytes);
+  if (in.bad()) throw FileError(path + ": cannot be read");
+  return text;
+}
 
 std::vector<Drawing> read_drawings_from(const std::string& text, const std::string& name,
                                         const ReadOptions& options) {
@@ -90,7 +90,7 @@ std::vector<Drawing> read_drawings_from(const std::string& text, const std::stri
 
 std::vector<Drawing> read_drawings(const std::string& path, const ReadOptions& options) {
   const std::string name = path == "-" ? "stdin" : std::filesystem::path(path).stem().string();
-  return read_drawings_from(read_file(path, options.max_bytes), name, options);
+  return read_drawings_from(read_bytes(path, options.max_bytes), name, options);
 }
 
 }  // namespace c1mesh

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/road.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/command.h"
+#include "app/summary.h"
+#include "c1mesh/parametrize.h"
+#include "c1mesh/trade_off.h"
+#include "c1mesh/write.h"
+
+namespace c1mesh::app {
+namespace {
+
+struct OutputFile {
+  std::string path, text;
+};
+
+// All texts exist before the first file does: what can fail fails first.
+std::vector<OutputFile> output_files(const RunOptions& options, const Result& result) {
+  const std::string& folder = options.folder;
+  if (folder == "-") return {{"-", format_result(result)}};
+  const std::string stem = folder + "/" + result.name;
+  std::vector<OutputFile> files = {{stem + ".c1.json", format_result(result)}};
+  if (options.wants("svg")) files.push_back({stem + ".svg", draw_svg(result, {})});
+  if (options.wants("vtu")) {
+    files.push_back({stem + ".vtu", format_vtu(result, false)});
+    files.push_back({stem + ".domain.vtu", format_vtu(result, true)});
+  }
+  return files;
+}
+
+std::vector<std::string> deliver_all(const std::vector<OutputFile>& files) {
+  std::vector<std::string> paths;
+  for (const OutputFile& file : files) {
+    deliver(file.path, file.text);
+    paths.push_back(file.path);
+  }
+  return paths;
+}
+
+std::vector<std::string> write_outputs(const RunOptions& options, const Result& result) {
+  const std::vector<OutputFile> files = output_files(options, result);
+  if (options.folder != "-") create_folder(options.folder);
+  return deliver_all(files);
+}
+
+// The time limit is for both, the result first.
+bool run_trade_off(Console& console, const RunOptions& run_options, const Shape& shape,
+                   const Outcome& outcome, std::vector<std::string>& files_written) {
+  constexpr double kNoneLeft = 1e-9;  // 0 would be no limit
+  Options options = run_options.options;
+  if (options.time_limit > 0)
+    for (const auto& [stage, seconds] : outcome.seconds)
+      if (stage == "total") options.time_limit = std::max(options.time_limit - seconds, kNoneLeft);
+  const TradeOff curve = trade_off(shape, options, console.progress(shape.name));
+  console.clear_bar();
+  const std::string stem = run_options.folder + "/" + shape.name + ".tradeoff";
+  const std::vector<std::string> paths = deliver_all(
+      {{stem + ".json", format_trade_off(curve)}, {stem + ".svg", draw_trade_off(curve)}});
+  console.say(trade_off_lines(curve, paths));
+  files_written.insert(files_written.end(), paths.begin(), paths.end());
+  return curve.end != TradeOffEnd::time_limit;
+}
+
+void say_notes(Console& console, const std::string& input, std::vector<Defect> notes) {
+  constexpr std::size_t kShown = 20;
+  const std::size_t more = notes.size() > kShown && !console.verbose ? notes.size() - kShown : 0;
+  notes.resize(notes.size() - more);
+  say_defects(console, input, notes);
+  if (more) console.say(fmt::format("{}: {} more notes (--verbose)", printable(input), more));
+}
+
+// A map that is not certified must never reach a file: that would be our error, not a missed bound.
+// A projection moves the boundary: how far is a bound like others.
+void refuse_uncertified(Console& console, const Options& options, const Outcome& outcome) {
+  if (!outcome.report.regular() || !(options.project || outcome.report.conforming()))
+    throw std::runtime_error("the result failed its verification\n" +
+                             item_lines(console, outcome.report));
+}
+
+}  // namespace
+
+DrawingRun run_drawing(Console& console, const RunOptions& run_options, const std::string& input,
+                       const Drawing& drawing, const Trace& trace) {
+  const Options& options = run_options.options;
+  const Shape shape = make_shape(drawing);
+  say_notes(console, input, shape.notes);
+  const Outcome outcome = parametrize(shape, options, console.progress(drawing.name), trace);
+  console.clear_bar();
+  refuse_uncertified(console, options, outcome);
+  DrawingRun run;
+  run.files = write_outputs(run_options, outcome.result);
+  run.metrics = outcome.result.metrics;
+  run.remedies = outcome.remedies;
+  run.missed = missed_bounds(outcome, options);
+  if (!run.missed.empty()) run.status = Status::bound_missed;
+  if (outcome.time_limit_hit) {
+    run.status = Status::limit;
+    run.missed.insert(run.missed.begin(), "the time limit ended the run early");
+  }
+  console.say(summary(console, outcome, options, run.files));
+  console.detail(item_lines(console, outcome.report));
+  if (run_options.trade_off && !run_trade_off(console, run_options, shape, outcome, run.files)) {
+    run.status = worse(run.status, Status::limit);
+    run.missed.emplace_back("the time limit cut the trade-off short");
+  }
+  return run;
+}
+
+}  // namespace c1mesh::app
