@@ -33,7 +33,7 @@ MODULES = {
     "result": ("road", "Result or text", "text or Result; files whole or not at all"),
     "verify": ("road", "Result", "VerifyReport: proofs and metrics"),
     "pipeline": ("road", "Shape, Options", "Outcome: Result, verified"),
-    "write": ("road", "Result", "SVG, VTU"),
+    "write": ("road", "Result", "SVG, VTU, MSH, MFEM, OBJ"),
     "generate": ("side", "set or family, count, seed", "Drawing: random and hard shapes"),
     "library": ("end", "every module above", "c1mesh::c1mesh: what include/c1mesh declares"),
     "app": ("end", "a command line", "the program c1mesh: files, summary, exit status"),

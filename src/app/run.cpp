@@ -49,10 +49,11 @@ std::vector<OutputFile> output_files(const Run& run, const Result& result) {
   const std::string stem = folder + "/" + result.name;
   std::vector<OutputFile> files = {{stem + ".c1.json", format_result(result)}};
   if (run.wants("svg")) files.push_back({stem + ".svg", draw_svg(result, {})});
-  if (run.wants("vtu")) {
-    files.push_back({stem + ".vtu", format_vtu(result, false)});
-    files.push_back({stem + ".domain.vtu", format_vtu(result, true)});
-  }
+  for (const char* mesh : {"vtu", "msh", "mesh"})
+    if (run.wants(mesh))
+      for (const char* part : {".", ".domain."})
+        files.push_back({stem + part + mesh, convert(result, stem + part + mesh)});
+  if (run.wants("obj")) files.push_back({stem + ".obj", format_obj(result)});
   return files;
 }
 
@@ -102,6 +103,19 @@ void choose_name(Run& run, const std::string& input, Drawing& drawing) {
                               wanted, drawing.name)));
 }
 
+// Before the work, not after it.
+void check_formats(const Run& run, const Shape& shape) {
+  const int degree = std::max(run.arguments.options.degree, shape.highest_degree());
+  const bool wanted = run.arguments.folder != "-" && run.wants("msh");
+  if (!wanted || degree <= kHighestGmshDegree) return;
+  Defect defect;
+  defect.kind = DefectKind::unsupported;
+  defect.message = fmt::format("the triangles' degree is {}, and msh has none above {}", degree,
+                               kHighestGmshDegree);
+  defect.remedy = "leave msh out of --formats";
+  throw InputError({defect});
+}
+
 void say_notes(Console& console, const std::string& input, std::vector<Defect> notes) {
   constexpr std::size_t kShown = 20;
   const std::size_t more = notes.size() > kShown && !console.verbose ? notes.size() - kShown : 0;
@@ -115,6 +129,7 @@ Status run_drawing(Run& run, const std::string& input, Drawing drawing) {
   choose_name(run, input, drawing);
   const Shape shape = make_shape(drawing);
   say_notes(run.console, input, shape.notes);
+  check_formats(run, shape);
   const Outcome outcome = parametrize(shape, options, run.console.progress(drawing.name));
   run.console.clear_bar();
   // A map that is not certified must never reach a file: that would be our error, not a missed
@@ -228,11 +243,12 @@ Command add_run(CLI::App& app) {
   cli->add_option("-o,--output", arguments->folder,
                   "Folder for NAME.c1.json and the rest; -: the JSON alone to standard output")
       ->required();
-  cli->add_option("--formats", arguments->formats, "json (always written), svg, vtu")
+  cli->add_option("--formats", arguments->formats,
+                  "json (always written), svg, vtu, msh, mesh, obj")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str()
-      ->check(CLI::IsMember({"json", "svg", "vtu"}));
+      ->check(CLI::IsMember({"json", "svg", "vtu", "msh", "mesh", "obj"}));
   cli->add_flag("--together", arguments->read.together,
                 "Take a whole SVG drawing as one arrangement, unfilled lines as features");
   cli->add_flag("--trade-off", arguments->trade_off,

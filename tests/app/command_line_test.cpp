@@ -59,12 +59,16 @@ INSTANTIATE_TEST_SUITE_P(
                     "run a.json -o out --mips-bound 2", "run a.json -o out --exceptional -1",
                     "run a.json -o out --exceptional most", "run a.json -o out --refine 0.5",
                     "run a.json -o - --trade-off", "run a.json -o out --refine nan",
-                    "run a.json -o out --refine", "run a.json -o out --formats json,msh",
+                    "run a.json -o out --refine", "run a.json -o out --formats json,stl",
                     "run a.json -o out --time-limit -3", "run a.json -o out --corner-angle 181",
                     "run a.json -o out --no-such-option", "check", "verify", "draw a.json",
-                    "convert a.json", "generate -o out", "generate --set D -o out",
-                    "generate --set A --count -1 -o out", "generate --set A --seed x -o out",
-                    "generate --family cube -o out", "generate --set A --family comb -o out",
+                    "convert a.json", "convert a.json -o a.stl",
+                    "convert a.json -o a.msh --lagrange",
+                    "convert a.json -o a.vtu --tessellation 4",
+                    "convert a.json -o a.obj --tessellation 0", "generate -o out",
+                    "generate --set D -o out", "generate --set A --count -1 -o out",
+                    "generate --set A --seed x -o out", "generate --family cube -o out",
+                    "generate --set A --family comb -o out",
                     "generate --family degrees --formats json,svg -o out"));
 
 TEST(CommandLine, MissingFilesAreStatusThree) {
