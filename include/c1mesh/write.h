@@ -58,7 +58,8 @@ std::string format_msh(const Result& result, bool domain = false);
 std::string format_mfem(const Result& result, bool domain = false);
 
 /// Wavefront OBJ: every triangle cut into tessellation^2 straight ones (at least 1), points on
-/// common edges shared; texture coordinates are the domain's. One group per region.
+/// common edges shared; texture coordinates are the domain's. One group per region. Straight pieces
+/// of a much distorted triangle can turn over in the shape.
 std::string format_obj(const Result& result, int tessellation = 8);
 
 struct ConvertOptions {

@@ -6,6 +6,7 @@ import unittest
 
 import comparison
 import native
+import obj_test
 
 vtk_core = comparison.need("vtkmodules.vtkCommonCore", "python3-vtk9")
 vtk_data = comparison.need("vtkmodules.vtkCommonDataModel", "python3-vtk9")
@@ -169,15 +170,20 @@ class Obj(comparison.Comparison):
         reader.SetFileName(result.file(".obj"))
         reader.Update()
         data = reader.GetOutput()
-        self.assertEqual(data.GetNumberOfPolys(), 64 * len(result.triangles))
         uv = data.GetPointData().GetTCoords()
-        self.assertEqual(data.GetNumberOfPoints(), uv.GetNumberOfTuples())
-        # The reader works in floats.
-        for k in range(0, data.GetNumberOfCells(), 97):
-            points = [data.GetPoint(data.GetCell(k).GetPointId(m)) for m in range(3)]
-            area = native.cross([points[1][0] - points[0][0], points[1][1] - points[0][1]],
-                                [points[2][0] - points[0][0], points[2][1] - points[0][1]])
-            self.assertGreater(area, -1e-6 * result.extent**2)
+        expected = obj_test.Obj(result.file(".obj"))
+        self.assertEqual(data.GetNumberOfCells(), len(expected.faces))
+        self.assertEqual(data.GetNumberOfPoints(), len(expected.points))  # one per pair of v and vt
+        for k in range(0, len(expected.faces), 17):
+            cell = data.GetCell(k)
+            for m, number in enumerate(expected.faces[k]):
+                found = cell.GetPointId(m)
+                self.same_float(data.GetPoint(found)[:2], expected.points[number], result.extent)
+                self.same_float(uv.GetTuple2(found), expected.uv[number], result.domain_extent)
+
+    def same_float(self, found, expected, extent):  # the reader works in floats
+        for x, y in zip(found, expected):
+            self.assertLessEqual(abs(x - y), 2.0**-22 * extent)
 
     def test_vtk_reads_it(self):
         self.each_result(self.check)
