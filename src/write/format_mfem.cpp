@@ -28,6 +28,7 @@ void add_control_points(std::string& out, const Result& result) {
       result.degree);
   for (const auto& net : result.triangle_control_points) {
     std::vector<Point> points;
+    points.reserve(net.size());
     for (const int id : net) points.push_back(result.control_points[id]);
     add_points(out, points);
   }

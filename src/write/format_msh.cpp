@@ -249,6 +249,7 @@ void add_elements(MshText& out, const std::vector<Entity>& entities, int degree)
     out.line("{} {} {} {}", e.dimension, e.tag, types[e.dimension], e.elements.size());
     for (const auto& element : e.elements) {
       std::vector<int> tags;
+      tags.reserve(element.size());
       for (const int id : element) tags.push_back(id + 1);
       out.line("{}", ++tag);
       out.more(tags);
