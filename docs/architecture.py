@@ -35,7 +35,7 @@ MODULES = {
     "verify": ("road", "Result", "VerifyReport: proofs and metrics"),
     "evaluate": ("side", "folders of results", "Evaluation: tables, histograms"),
     "pipeline": ("road", "Shape, Options", "Outcome: Result, verified"),
-    "write": ("road", "Result", "SVG, VTU"),
+    "write": ("road", "Result", "SVG, VTU, MSH, MFEM, OBJ"),
     "generate": ("side", "set or family, count, seed", "Drawing: random and hard shapes"),
     "library": ("end", "every module above", "c1mesh::c1mesh: what include/c1mesh declares"),
     "app": ("end", "a command line", "the program c1mesh: files, summary, exit status"),

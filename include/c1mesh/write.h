@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "c1mesh/result.h"
 
@@ -27,16 +28,52 @@ struct DrawOptions {
 /// the grid itself; mesh, boundary, exceptional vertices (green dots) on both.
 std::string draw_svg(const Result& result, const DrawOptions& options = {});
 
-/// VTK XML unstructured grid of Bezier triangles (cell type 76) and of Bezier curves (75) for
-/// boundary, feature and relaxed edges. `domain`: the straight domain mesh instead of the shape, as
-/// cells of the same degree with the same numbering. Point data: domain (u, v), c1_deviation,
-/// exceptional. Cell data: distortion (g of eq. 4.5; -1 if not proven regular), min_det, region,
-/// edge_kind (0 triangle, 1 boundary, 2 feature, 3 relaxed; edges take the values of a triangle).
-std::string format_vtu(const Result& result, bool domain = false);
+/// How a VTU file holds the curved triangles and edges.
+enum class VtuCells {
+  bezier,    ///< cell types 76 and 75: control points, the map bit for bit
+  lagrange,  ///< cell types 69 and 68: interpolation nodes, converted exactly and rounded once
+};
 
-/// The result as text for a file of this name, by its extension: `.vtu` (`.domain.vtu`: the
-/// domain),
-/// `.svg`, `.json`. Throws InputError (unsupported) for any other.
-std::string convert(const Result& result, const std::string& path);
+/// VTK XML unstructured grid of curved triangles, and of curves for boundary, feature and relaxed
+/// edges. `domain`: the straight domain mesh instead of the shape, as cells of the same degree with
+/// the same numbering. Point data: domain (u, v), c1_deviation, exceptional. Cell data: distortion
+/// (g of eq. 4.5; -1 if not proven regular), min_det, region, edge_kind (0 triangle, 1 boundary, 2
+/// feature, 3 relaxed; edges take the values of a triangle).
+std::string format_vtu(const Result& result, bool domain = false,
+                       VtuCells cells = VtuCells::bezier);
+
+/// Gmsh's highest degree.
+constexpr int kHighestGmshDegree = 10;
+
+/// Gmsh MSH 4.1 ASCII: complete Lagrange triangles and lines of the map's degree, node k + 1 being
+/// the interpolation node at the place of control point k. Physical groups: "curve K" for every
+/// input curve that edges lie on (features too), "region K", "exceptional". A view "domain": u, v.
+/// `domain`: the straight domain mesh, same numbering. Throws InputError (unsupported) above
+/// kHighestGmshDegree.
+std::string format_msh(const Result& result, bool domain = false);
+
+/// MFEM mesh v1.0, the control points as its nodes in the positive basis (L2_T2_2D_Pn). Attributes
+/// are numbers of regions and, of boundary elements (features too), of input curves, plus 1.
+/// `domain`: the straight domain mesh, same numbering, without nodes.
+std::string format_mfem(const Result& result, bool domain = false);
+
+/// Wavefront OBJ: every triangle cut into tessellation^2 straight ones (at least 1), points on
+/// common edges shared; texture coordinates are the domain's. One group per region. Straight pieces
+/// of a much distorted triangle can turn over in the shape.
+std::string format_obj(const Result& result, int tessellation = 8);
+
+struct ConvertOptions {
+  VtuCells cells = VtuCells::bezier;  ///< of .vtu
+  int tessellation = 8;               ///< of .obj: pieces along each edge
+};
+
+/// The extensions that `convert` knows; before .vtu, .msh and .mesh may stand .domain.
+std::vector<std::string> convertible_extensions();
+
+/// The result as text for a file of this name, by its extension: `.vtu`, `.msh`, `.mesh` (MFEM;
+/// `.domain.vtu` and so on: the domain mesh), `.obj`, `.svg`, `.json`. Throws InputError
+/// (unsupported) for any other.
+std::string convert(const Result& result, const std::string& path,
+                    const ConvertOptions& options = {});
 
 }  // namespace c1mesh

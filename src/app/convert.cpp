@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // c1mesh convert: results in other formats, chosen by the output's extension.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <memory>
 
 #include "app/command.h"
@@ -10,13 +13,25 @@ namespace {
 
 struct ConvertArguments {
   std::string result, output;
+  bool lagrange = false;
+  ConvertOptions options;
 };
 
 // Refused with the command line, before anything is read.
 std::string check_extension(const std::string& path) {
-  for (const char* known : {".vtu", ".svg", ".json"})
-    if (path.ends_with(known)) return "";
-  return "no format is known by the extension of '" + path + "' (.vtu, .svg, .json)";
+  const std::vector<std::string> known = convertible_extensions();
+  for (const std::string& extension : known)
+    if (path.ends_with(extension)) return "";
+  return fmt::format("no format is known by the extension of '{}' ({})", path,
+                     fmt::join(known, ", "));
+}
+
+// An option that the format does not have is a mistake, not to be passed over.
+void check_options(const CLI::App& cli, const std::string& output) {
+  if (cli.count("--lagrange") > 0 && !output.ends_with(".vtu"))
+    throw CLI::ValidationError("--lagrange", "is for .vtu only");
+  if (cli.count("--tessellation") > 0 && !output.ends_with(".obj"))
+    throw CLI::ValidationError("--tessellation", "is for .obj only");
 }
 
 }  // namespace
@@ -26,13 +41,24 @@ Command add_convert(CLI::App& app) {
   CLI::App* cli = app.add_subcommand("convert", "Write a result in another format, by extension");
   cli->add_option("RESULT", arguments->result, "NAME.c1.json")->required();
   cli->add_option("-o,--output", arguments->output,
-                  "NAME.vtu, NAME.domain.vtu, NAME.svg or NAME.json")
+                  "NAME.vtu (VTK), NAME.msh (Gmsh), NAME.mesh (MFEM), NAME.obj, NAME.svg or "
+                  "NAME.json; NAME.domain.vtu, .domain.msh, .domain.mesh: the domain mesh")
       ->required()
       ->check(check_extension);
+  cli->add_flag("--lagrange", arguments->lagrange,
+                ".vtu: Lagrange cells with interpolation nodes, not Bezier cells");
+  cli->add_option("--tessellation", arguments->options.tessellation,
+                  ".obj: straight pieces along each edge")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 256));
+  cli->final_callback([arguments, cli] {
+    check_options(*cli, arguments->output);
+    if (arguments->lagrange) arguments->options.cells = VtuCells::lagrange;
+  });
   return {cli, [arguments](Console& console) {
             return guarded(console, arguments->result, [&] {
               const Result result = read_result(arguments->result);
-              deliver(arguments->output, convert(result, arguments->output));
+              deliver(arguments->output, convert(result, arguments->output, arguments->options));
               return Status::ok;
             });
           }};

@@ -26,10 +26,11 @@ std::vector<OutputFile> output_files(const RunOptions& options, const Result& re
   const std::string stem = folder + "/" + result.name;
   std::vector<OutputFile> files = {{stem + ".c1.json", format_result(result)}};
   if (options.wants("svg")) files.push_back({stem + ".svg", draw_svg(result, {})});
-  if (options.wants("vtu")) {
-    files.push_back({stem + ".vtu", format_vtu(result, false)});
-    files.push_back({stem + ".domain.vtu", format_vtu(result, true)});
-  }
+  for (const char* mesh : {"vtu", "msh", "mesh"})
+    if (options.wants(mesh))
+      for (const char* part : {".", ".domain."})
+        files.push_back({stem + part + mesh, convert(result, stem + part + mesh)});
+  if (options.wants("obj")) files.push_back({stem + ".obj", format_obj(result)});
   return files;
 }
 
@@ -66,6 +67,19 @@ bool run_trade_off(Console& console, const RunOptions& run_options, const Shape&
   return curve.end != TradeOffEnd::time_limit;
 }
 
+// Before the work, not after it.
+void check_formats(const RunOptions& options, const Shape& shape) {
+  const int degree = std::max(options.options.degree, shape.highest_degree());
+  const bool wanted = options.folder != "-" && options.wants("msh");
+  if (!wanted || degree <= kHighestGmshDegree) return;
+  Defect defect;
+  defect.kind = DefectKind::unsupported;
+  defect.message = fmt::format("the triangles' degree is {}, and msh has none above {}", degree,
+                               kHighestGmshDegree);
+  defect.remedy = "leave msh out of --formats";
+  throw InputError({defect});
+}
+
 void say_notes(Console& console, const std::string& input, std::vector<Defect> notes) {
   constexpr std::size_t kShown = 20;
   const std::size_t more = notes.size() > kShown && !console.verbose ? notes.size() - kShown : 0;
@@ -89,6 +103,7 @@ DrawingRun run_drawing(Console& console, const RunOptions& run_options, const st
   const Options& options = run_options.options;
   const Shape shape = make_shape(drawing);
   say_notes(console, input, shape.notes);
+  check_formats(run_options, shape);
   const Outcome outcome = parametrize(shape, options, console.progress(drawing.name), trace);
   console.clear_bar();
   refuse_uncertified(console, options, outcome);

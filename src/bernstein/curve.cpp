@@ -4,20 +4,10 @@
 #include <gmpxx.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "bernstein/rounding.h"
 
 namespace c1mesh {
-namespace {
-
-// Rounds to nearest: mpq_class::get_d truncates, which would bias every stored coordinate.
-double round_to_double(const mpq_class& value) {
-  const double low = value.get_d();
-  const double next = std::nextafter(low, value > 0 ? HUGE_VAL : -HUGE_VAL);
-  const mpq_class below = abs(value - mpq_class(low)), above = abs(value - mpq_class(next));
-  return above < below ? next : low;
-}
-
-}  // namespace
 
 Poles<double> poles_of(const BezierCurve& curve) {
   Poles<double> poles;

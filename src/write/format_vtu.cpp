@@ -1,93 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK XML unstructured grids of Bezier cells: the control points are the cells' points.
+// VTK XML unstructured grids: of Bezier cells, whose points are the control points, or of Lagrange
+// cells, whose points are the interpolation nodes.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 
 #include "bernstein/jacobian.h"
 #include "c1mesh/write.h"
 #include "write/mesh_edges.h"
+#include "write/nodes.h"
 
 namespace c1mesh {
 namespace {
 
-constexpr int kBezierCurve = 75, kBezierTriangle = 76;  // vtkCellType.h
-
-/// The (i, j) of VTK's points of a triangle of degree n, in VTK's order: the corners, the insides
-/// of the edges 01, 12 and 20, each in running direction, then the inside as a triangle of degree
-/// n-3.
-std::vector<std::array<int, 2>> vtk_order(int n) {
-  std::vector<std::array<int, 2>> out;
-  for (int shift = 0; n >= 0; ++shift, n -= 3) {
-    const auto add = [&](int i, int j) { out.push_back({i + shift, j + shift}); };
-    add(0, 0);
-    if (n == 0) break;
-    add(n, 0);
-    add(0, n);
-    for (int s = 1; s < n; ++s) add(s, 0);
-    for (int s = 1; s < n; ++s) add(n - s, s);
-    for (int s = 1; s < n; ++s) add(0, n - s);
-  }
-  return out;
-}
+// vtkCellType.h
+constexpr int kLagrangeCurve = 68, kLagrangeTriangle = 69, kBezierCurve = 75, kBezierTriangle = 76;
 
 struct Cell {
   int type, edge_kind, triangle;
   std::vector<int> points;
 };
 
-std::vector<Cell> cells_of(const PiecewiseMap& map, const std::vector<DrawnEdge>& edges) {
-  const Result& result = map.result();
-  const auto order = vtk_order(result.degree);
+std::vector<Cell> cells_of(const PiecewiseMap& map, const std::vector<DrawnEdge>& edges,
+                           VtuCells kind) {
+  const bool bezier = kind == VtuCells::bezier;
   std::vector<Cell> cells;
-  for (int t = 0; t < static_cast<int>(result.triangles.size()); ++t) {
-    Cell cell{kBezierTriangle, 0, t, {}};
-    for (const auto& [i, j] : order) cell.points.push_back(map.control_id(t, 0, i, j));
-    cells.push_back(std::move(cell));
-  }
-  for (const DrawnEdge& e : edges) {
-    if (e.kind == EdgeKind::smooth) continue;
-    const int n = result.degree;
-    Cell cell{kBezierCurve, static_cast<int>(e.kind), e.triangle[0], {}};
-    cell.points = {map.control_id(e.triangle[0], e.corner[0], 0, 0),
-                   map.control_id(e.triangle[0], e.corner[0], n, 0)};
-    for (int s = 1; s < n; ++s)
-      cell.points.push_back(map.control_id(e.triangle[0], e.corner[0], s, 0));
-    cells.push_back(std::move(cell));
-  }
+  for (int t = 0; t < static_cast<int>(map.result().triangles.size()); ++t)
+    cells.push_back({bezier ? kBezierTriangle : kLagrangeTriangle, 0, t, triangle_nodes(map, t)});
+  for (const DrawnEdge& e : edges)
+    if (e.kind != EdgeKind::smooth)
+      cells.push_back({bezier ? kBezierCurve : kLagrangeCurve, static_cast<int>(e.kind),
+                       e.triangle[0], edge_nodes(map, e.triangle[0], e.corner[0])});
   return cells;
-}
-
-/// Where each control point sits in the domain: the straight triangle's net has p_ij at
-/// ((n-i-j) a + i b + j c) / n. These are Bernstein coefficients of the coordinates u and v.
-std::vector<Point> domain_net(const PiecewiseMap& map) {
-  const Result& result = map.result();
-  const int n = result.degree;
-  std::vector<Point> out(result.control_points.size(), Point::Zero());
-  std::vector<char> known(out.size(), 0);
-  for (int t = 0; t < static_cast<int>(result.triangles.size()); ++t)
-    for (int j = 0; j <= n; ++j)
-      for (int i = 0; i <= n - j; ++i) {
-        const int id = map.control_id(t, 0, i, j);
-        if (known[id]) continue;
-        known[id] = 1;
-        const auto& v = result.triangles[t];
-        const auto corner = [&](int k) -> const Point& { return result.domain_vertices[v[k]]; };
-        // Corners are copied: (n a) / n may differ from a in the last bit.
-        if (i == n)
-          out[id] = corner(1);
-        else if (j == n)
-          out[id] = corner(2);
-        else if (i + j == 0)
-          out[id] = corner(0);
-        else
-          out[id] =
-              (double(n - i - j) * corner(0) + double(i) * corner(1) + double(j) * corner(2)) / n;
-      }
-  return out;
 }
 
 /// At vertices the largest deviation of the edges there, on an edge's own points that edge's,
@@ -203,11 +149,13 @@ void add_cell_data(VtuText& text, const Result& result, const std::vector<Cell>&
 
 }  // namespace
 
-std::string format_vtu(const Result& result, bool domain) {
+std::string format_vtu(const Result& result, bool domain, VtuCells kind) {
   const PiecewiseMap map(result);
   const std::vector<DrawnEdge> edges = edges_of(map);
-  const std::vector<Cell> cells = cells_of(map, edges);
+  const std::vector<Cell> cells = cells_of(map, edges, kind);
   const std::vector<Point> uv = domain_net(map);
+  const std::vector<Point> shape =
+      kind == VtuCells::bezier ? result.control_points : interpolation_nodes(map);
   VtuText text;
   text.add(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
@@ -221,7 +169,7 @@ std::string format_vtu(const Result& result, bool domain) {
   text.add("</PointData>\n");
   add_cell_data(text, result, cells, regions_of(result, edges));
   text.add("<Points>\n");
-  text.array("Float64", "Points", 3, flat(domain ? uv : result.control_points, true));
+  text.array("Float64", "Points", 3, flat(domain ? uv : shape, true));
   text.add("</Points>\n");
   add_cells(text, cells);
   text.add("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");

@@ -124,14 +124,29 @@ TEST(Pipeline, AMissedBoundIsStatusFour) {
 
 TEST(Pipeline, AllFormatsAndConversionsAgree) {
   const Folder folder;
-  ASSERT_EQ(folder.run("run --formats svg,vtu -o out " + example("blob.svg")).status, 0);
-  EXPECT_EQ(folder.files("out"),
-            (std::vector<std::string>{"blob.c1.json", "blob.domain.vtu", "blob.svg", "blob.vtu"}));
-  ASSERT_EQ(folder.run("convert out/blob.c1.json -o again.vtu").status, 0);
-  EXPECT_EQ(folder.read("again.vtu"), folder.read("out/blob.vtu"));
+  ASSERT_EQ(
+      folder.run("run --formats json,svg,vtu,msh,mesh,obj -o out " + example("blob.svg")).status,
+      0);
+  const std::vector<std::string> files = {"blob.c1.json",    "blob.domain.mesh", "blob.domain.msh",
+                                          "blob.domain.vtu", "blob.mesh",        "blob.msh",
+                                          "blob.obj",        "blob.svg",         "blob.vtu"};
+  EXPECT_EQ(folder.files("out"), files);
+  for (const std::string& file : files) {
+    ASSERT_EQ(folder.run("convert out/blob.c1.json -o " + file).status, 0);
+    EXPECT_EQ(folder.read(file), folder.read("out/" + file)) << file;
+  }
   const Ran drawn = folder.run("draw out/blob.c1.json -o -");
   EXPECT_EQ(drawn.status, 0);
   EXPECT_EQ(drawn.out, folder.read("out/blob.svg"));
+}
+
+// Gmsh ends at degree 10: said before the work, and the other formats go further.
+TEST(Pipeline, MshOfTooHighADegreeIsRefusedAtOnce) {
+  const Folder folder;
+  const Ran ran = folder.run("run --formats msh --degree 11 -o out " + example("blob.svg"));
+  EXPECT_EQ(ran.status, 3) << ran.err;
+  EXPECT_TRUE(contains(ran.err, "msh")) << ran.err;
+  EXPECT_TRUE(folder.files("out").empty());
 }
 
 TEST(Pipeline, StandardOutputCarriesTheResultAlone) {

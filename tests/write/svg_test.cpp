@@ -117,9 +117,19 @@ TEST(Convert, GoesByExtension) {
   const Result result = example::square();
   EXPECT_EQ(convert(result, "a/b.vtu"), format_vtu(result, false));
   EXPECT_EQ(convert(result, "a/b.domain.vtu"), format_vtu(result, true));
+  ConvertOptions options;
+  options.cells = VtuCells::lagrange;
+  options.tessellation = 3;
+  EXPECT_EQ(convert(result, "b.vtu", options), format_vtu(result, false, VtuCells::lagrange));
+  EXPECT_EQ(convert(result, "b.msh"), format_msh(result, false));
+  EXPECT_EQ(convert(result, "b.domain.msh"), format_msh(result, true));
+  EXPECT_EQ(convert(result, "b.mesh"), format_mfem(result, false));
+  EXPECT_EQ(convert(result, "b.domain.mesh"), format_mfem(result, true));
+  EXPECT_EQ(convert(result, "b.obj"), format_obj(result, 8));
+  EXPECT_EQ(convert(result, "b.obj", options), format_obj(result, 3));
   EXPECT_EQ(convert(result, "b.svg"), draw_svg(result));
   EXPECT_EQ(convert(result, "b.c1.json"), format_result(result));
-  for (const char* path : {"b.msh", "b", "svg", "b.svg.gz"})
+  for (const char* path : {"b.stl", "b", "svg", "b.svg.gz"})
     EXPECT_THROW(convert(result, path), InputError);
 }
 

@@ -120,6 +120,28 @@ TEST(Vtu, DomainFileHasTheSameNumbering) {
   }
 }
 
+// Lagrange cells: the same numbering, and points that are values of the map at the domain's places.
+TEST(Vtu, LagrangeCellsHoldValuesOfTheMap) {
+  const auto map = example::cubic_map();
+  const Result result = example::grid(2, 4, map);
+  const auto bezier = parsed(format_vtu(result)),
+             lagrange = parsed(format_vtu(result, false, VtuCells::lagrange)),
+             domain = parsed(format_vtu(result, true, VtuCells::lagrange));
+  for (const char* field :
+       {"connectivity", "offsets", "domain", "distortion", "region", "edge_kind"})
+    EXPECT_EQ(values(bezier, field), values(lagrange, field)) << field;
+  const std::vector<double> types = values(lagrange, "types");
+  EXPECT_EQ(std::count(types.begin(), types.end(), 69), 8);
+  EXPECT_EQ(std::count(types.begin(), types.end(), 68), 8);
+  const std::vector<double> points = values(lagrange, "Points"), uv = values(lagrange, "domain"),
+                            straight = values(domain, "Points");
+  for (std::size_t i = 0; 2 * i < uv.size(); ++i) {
+    const Point place(uv[2 * i], uv[2 * i + 1]), image(points[3 * i], points[3 * i + 1]);
+    EXPECT_EQ(Point(straight[3 * i], straight[3 * i + 1]), place);
+    EXPECT_LT((image - example::evaluate(map, place)).norm(), 4e-16);
+  }
+}
+
 TEST(Vtu, AnIrregularTriangleHasNoInfinityInTheFile) {
   Result result = example::square();
   result.control_points[result.triangle_control_points[0][5]] = Point(3, 2);
