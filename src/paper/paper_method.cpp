@@ -31,6 +31,18 @@ std::vector<char> branch_points(const CurvedMesh& initial, const Joints& joints)
   return out;
 }
 
+constexpr int kReleases = 3;  // rounds of giving up what phase two misses
+
+// The largest d_ei of an edge, from whichever side it is larger: they differ by the factor gamma_2.
+double largest_deviation(const C1Edge& e, const Pair& state) {
+  const auto v = [&](int k) -> Point { return state.domain.row(e.vertex[k]).transpose(); };
+  const Eigen::Vector3d gamma = barycentric(v(0), v(1), v(2), v(3));
+  double largest = 0;
+  for (int i = 0; i < e.equations(); ++i)
+    largest = std::max(largest, c1_residue(e, i, gamma, state.control).norm());
+  return largest / std::min(1.0, std::abs(gamma[2]));
+}
+
 class PaperMethod {
  public:
   PaperMethod(const CurvedMesh& initial, const Joints& joints, const Options& options,
@@ -134,6 +146,30 @@ class PaperMethod {
     PhaseOptions options = phase_options(1);
     options.weights.bound = lifted_bound();
     optimise("phase two", classify_edges(initial_, out_.exceptional), options);
+    for (int round = 0; round < kReleases && !out_.interrupted && release(); ++round)
+      optimise("phase two", classify_edges(initial_, out_.exceptional), options);
+  }
+
+  // Vertices on curves where C1 was not reached as asked are given up as well, so that they do not
+  // spoil their surroundings: corners of the shape that the domain does not let be C1, and vertices
+  // that straightening has put far from where phase one had them.
+  bool release() {
+    const AskedEdges asked = classify_edges(initial_, out_.exceptional);
+    const std::vector<char> on_curve = on_curves(initial_);
+    int released = 0;
+    for (const auto* edges : {&asked.soft, &asked.hard})
+      for (const C1Edge& e : *edges) {
+        if (largest_deviation(e, out_.state) <= options_.c1_bound * extent_) continue;
+        for (int v : {e.vertex[0], e.vertex[1]})
+          if (on_curve[v] && !out_.exceptional[v]) {
+            out_.exceptional[v] = 1;
+            ++released;
+          }
+      }
+    if (released > 0)
+      out_.notes.push_back(fmt::format("pass {}: C1 given up at {} more where phase two missed it",
+                                       pass_, released));
+    return released > 0;
   }
 
   PaperSolution claim_nothing() {
