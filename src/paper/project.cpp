@@ -5,6 +5,7 @@
 #include <set>
 
 #include "c1mesh/error.h"
+#include "linear/sparse_solver.h"
 #include "mesh/topology.h"
 #include "optimise/c1_system.h"
 
@@ -42,6 +43,26 @@ std::vector<C1Edge> asked_edges(const Result& result, const CurvedMesh& mesh) {
   return out;
 }
 
+// Leaves of the moves what is in the range of A^T: the least move to where they lead. A^T A is
+// singular in the directions that keep C1, and in its solutions the rounding along these is large,
+// a thousandth of the move; A A^T has no such directions.
+void make_orthogonal(const std::vector<C1Edge>& edges, const PointMatrix& domain,
+                     const std::vector<Point>& before, std::vector<Point>& control) {
+  const auto count = static_cast<int>(control.size());
+  const SparseMatrix A = c1_matrix(edges, domain, count);
+  SparseSolver solver;
+  if (!factorise_shifted(
+          solver, SparseMatrix(SparseMatrix(A * A.transpose()).triangularView<Eigen::Lower>()),
+          1e-13))
+    return;
+  PointMatrix move(count, 2);
+  for (int k = 0; k < count; ++k) move.row(k) = (control[k] - before[k]).transpose();
+  for (int c = 0; c < 2; ++c) {
+    const Eigen::VectorXd least = A.transpose() * solver.solve(A * move.col(c));
+    for (int k = 0; k < count; ++k) control[k][c] = before[k][c] + least[k];
+  }
+}
+
 void set_parameter(Parameters& parameters, const std::string& name, const ParameterValue& value) {
   for (auto& [key, old] : parameters)
     if (key == name) {
@@ -70,13 +91,16 @@ Projection project(const Result& result, double conformance_bound) {
       fail_on_domain();
   Projection out{result};
   // All control points are free and weigh the same: the projection is orthogonal.
-  const ProjectionReport report =
-      project_to_c1(asked_edges(result, mesh), domain, std::vector<char>(mesh.control.size(), 0),
-                    std::vector<double>(mesh.control.size(), 1), out.result.control_points);
+  const std::vector<C1Edge> edges = asked_edges(result, mesh);
+  const std::vector<char> fixed(mesh.control.size(), 0);
+  const std::vector<double> size(mesh.control.size(), 1);
+  std::vector<Point>& control = out.result.control_points;
   const double extent = extent_of(result);
-  out.before = report.before / extent;
-  out.after = report.after / extent;
-  out.largest_move = report.largest_move / extent;
+  out.before = project_to_c1(edges, domain, fixed, size, control).before / extent;
+  make_orthogonal(edges, domain, mesh.control, control);
+  out.after = project_to_c1(edges, domain, fixed, size, control).after / extent;
+  for (std::size_t k = 0; k < control.size(); ++k)
+    out.largest_move = std::max(out.largest_move, (control[k] - mesh.control[k]).norm() / extent);
   set_parameter(out.result.parameters, "projected", true);
   set_parameter(out.result.parameters, "c1_bound", 1e-11);
   set_parameter(out.result.parameters, "conformance_bound", conformance_bound);
