@@ -24,7 +24,7 @@ bool contains(const std::string& text, const std::string& part) {
 TEST(CommandLine, HelpOfEveryCommandGoesToStandardOutput) {
   const Folder folder;
   for (const char* command :
-       {"", "run", "check", "verify", "draw", "convert", "generate", "evaluate"}) {
+       {"", "run", "check", "verify", "draw", "convert", "project", "generate", "evaluate"}) {
     const Ran ran = folder.run(std::string(command) + " --help");
     EXPECT_EQ(ran.status, 0) << command;
     EXPECT_TRUE(contains(ran.out, "Usage: c1mesh")) << command;
