@@ -11,10 +11,11 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// |v|_p, scaled by the largest entry: powers of 12 and more would overflow.
+// |max(v, 0)|_p, scaled by the largest entry, which is positive: powers of 12 and more would
+// overflow.
 double p_norm(const Eigen::VectorXd& v, double p) {
-  const double largest = v.cwiseAbs().maxCoeff();
-  return largest * std::pow((v / largest).array().abs().pow(p).sum(), 1 / p);
+  const double largest = v.maxCoeff();
+  return largest * std::pow((v / largest).array().max(0.0).pow(p).sum(), 1 / p);
 }
 
 }  // namespace
@@ -78,8 +79,9 @@ double DistortionBarrier::value(const Net& net, const Eigen::Matrix2d& D, double
   return g < bound ? -std::log(bound - g) : kInfinite;
 }
 
-// A = |q|_p: grad A = sum w_i grad q_i, w_i = (q_i / A)^(p-1), and
-// hess A = sum w_i hess q_i + (p-1)/A (sum (q_i / A)^(p-2) grad q_i grad q_i^T - grad A grad A^T).
+// A = |max(q, 0)|_p, the sums over the positive q_i: grad A = sum w_i grad q_i, w_i = (q_i /
+// A)^(p-1), and hess A = sum w_i hess q_i + (p-1)/A (sum (q_i / A)^(p-2) grad q_i grad q_i^T - grad
+// A grad A^T).
 DistortionBarrier::Factor DistortionBarrier::norm_factor(const Net& net,
                                                          const Eigen::Matrix2d& D) const {
   const int N = tables_.net_size, P = 2 * N, K = tables_.det_size;
@@ -88,8 +90,8 @@ DistortionBarrier::Factor DistortionBarrier::norm_factor(const Net& net,
   const Eigen::VectorXd q = norms(net, S.value);
   Factor A;
   A.value = p_norm(q, exponent);
-  const Eigen::ArrayXd ratio = q.array() / A.value;
-  const Eigen::ArrayXd w = ratio.sign() * ratio.abs().pow(exponent - 1);
+  const Eigen::ArrayXd ratio = (q.array() / A.value).max(0.0);
+  const Eigen::ArrayXd w = ratio.pow(exponent - 1);
   Eigen::MatrixXd slopes(P + 4, K), stiffness = Eigen::MatrixXd::Zero(N, N);
   Eigen::Vector3d Q = Eigen::Vector3d::Zero();  // sum w_i (Q11, 2 Q12, Q22)_i
   Eigen::Matrix<double, Eigen::Dynamic, 3> dQ = Eigen::MatrixXd::Zero(P, 3);
@@ -110,7 +112,7 @@ DistortionBarrier::Factor DistortionBarrier::norm_factor(const Net& net,
     Q += w[i] * values;
   }
   A.gradient = slopes * w.matrix();
-  const Eigen::ArrayXd curvature = (exponent - 1) / A.value * ratio.abs().pow(exponent - 2);
+  const Eigen::ArrayXd curvature = (exponent - 1) / A.value * ratio.pow(exponent - 2);
   A.hessian.noalias() = slopes * curvature.matrix().asDiagonal() * slopes.transpose();
   A.hessian -= (exponent - 1) / A.value * A.gradient * A.gradient.transpose();
   for (int i = 0; i < N; ++i)

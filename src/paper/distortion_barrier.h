@@ -10,8 +10,9 @@
 namespace c1mesh {
 
 /// -log(bound - g_p), g_p a smooth bound of g(t) = max_i n_i / min_i d_i from above: the p-norm of
-/// the n_i times the p-norm of the 1 / d_i. With K coefficients g <= g_p <= K^(2/p) g. p is even,
-/// since coefficients n_i of |J|^2 can be negative.
+/// the positive n_i times the p-norm of the 1 / d_i. With K coefficients g <= g_p <= K^(2/p) g.
+/// Coefficients of |J|^2 can be negative, and then larger in size than the largest: they are left
+/// out, which is smooth where one crosses zero since p > 2.
 class DistortionBarrier {
  public:
   explicit DistortionBarrier(int degree);

@@ -14,6 +14,8 @@
 namespace c1mesh {
 namespace {
 
+constexpr double kRoom = 1.05;  // of a bound above what it bounds at first
+
 double extent_of(const std::vector<Point>& points) {
   Point low = points.front(), high = low;
   for (const Point& p : points) {
@@ -76,6 +78,12 @@ class PaperMethod {
  private:
   double lifted_bound() const { return options_.paper.alpha_lift * options_.alpha * mips_bound_; }
 
+  // The barrier's smooth bound of g, with some room above it.
+  double bound_with_room() const {
+    const PaperObjective state(initial_, {}, out_.state, false);
+    return kRoom * state.largest_distortion(state.pack(out_.state));
+  }
+
   // E_s + lambda_reg E_reg + rho E_g in units of which `extent` make the shape's, divided by the
   // length of such a unit in the normalised frame.
   PhaseOptions phase_options(int phase) const {
@@ -118,14 +126,11 @@ class PaperMethod {
   }
 
   void phase_one() {
-    const AskedEdges asked = classify_edges(initial_, branch_points(initial_, joints_));
     PhaseOptions options = phase_options(0);
     // In a repetition the state comes from under the lifted bound; and the barrier's smooth bound
     // exceeds g, which matters where alpha is near one.
-    const PaperObjective start(initial_, asked, out_.state, true);
-    options.weights.bound = std::max(options_.alpha * mips_bound_,
-                                     1.05 * start.largest_distortion(start.pack(out_.state)));
-    optimise("phase one", asked, options);
+    options.weights.bound = std::max(options_.alpha * mips_bound_, bound_with_room());
+    optimise("phase one", classify_edges(initial_, branch_points(initial_, joints_)), options);
   }
 
   void determine_exceptional() {
@@ -144,7 +149,9 @@ class PaperMethod {
 
   void phase_two() {
     PhaseOptions options = phase_options(1);
-    options.weights.bound = lifted_bound();
+    // Phase one may have been given more room than the lifted bound, where that is tight.
+    const double room = bound_with_room();
+    options.weights.bound = room < kRoom * lifted_bound() ? lifted_bound() : room;
     optimise("phase two", classify_edges(initial_, out_.exceptional), options);
     for (int round = 0; round < kReleases && !out_.interrupted && release(); ++round)
       optimise("phase two", classify_edges(initial_, out_.exceptional), options);

@@ -18,7 +18,9 @@ namespace c1mesh {
 AskedEdges classify_edges(const CurvedMesh& initial, const std::vector<char>& exceptional);
 
 struct PaperSolution {
-  Pair state;                     ///< regular, g within the lifted bound
+  /// Regular. g is within the lifted bound, unless that leaves the barrier's smooth bound no
+  /// room after phase one.
+  Pair state;
   std::vector<char> exceptional;  ///< per vertex
   std::vector<std::array<int, 2>> relaxed;
   std::vector<std::string> notes;

@@ -5,11 +5,14 @@
 #include <set>
 
 #include "c1mesh/error.h"
+#include "linear/least_move.h"
 #include "mesh/topology.h"
 #include "optimise/c1_system.h"
 
 namespace c1mesh {
 namespace {
+
+using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 double extent_of(const Result& result) {
   Point low = result.control_points.front(), high = low;
@@ -42,6 +45,42 @@ std::vector<C1Edge> asked_edges(const Result& result, const CurvedMesh& mesh) {
   return out;
 }
 
+// A p, one row an equation, summed in extended precision.
+Eigen::MatrixXd residues_of(const RowMatrix& A, const std::vector<Point>& control) {
+  Eigen::MatrixXd out(A.rows(), 2);
+  for (int r = 0; r < A.rows(); ++r)
+    for (int k = 0; k < 2; ++k) {
+      long double sum = 0;
+      for (RowMatrix::InnerIterator it(A, r); it; ++it)
+        sum += static_cast<long double>(it.value()) * control[it.col()][k];
+      out(r, k) = static_cast<double>(sum);
+    }
+  return out;
+}
+
+// The least move that makes A p = 0, refined while that helps; the largest residue before and
+// after.
+std::pair<double, double> move_onto(const RowMatrix& A, std::vector<Point>& control) {
+  constexpr int kRounds = 6;
+  constexpr double kDependent = 1e-10;  // of a row from the others, relative to rows of norm 1
+  const LeastMove solver{SparseMatrix(A), kDependent};
+  Eigen::MatrixXd residues = residues_of(A, control);
+  const double before = residues.size() ? residues.cwiseAbs().maxCoeff() : 0;
+  double after = before;
+  for (int round = 0; round < kRounds && after > 0; ++round) {
+    const Eigen::MatrixXd move = solver.solve(residues);
+    std::vector<Point> next = control;
+    for (std::size_t k = 0; k < next.size(); ++k)
+      next[k] -= move.row(static_cast<Eigen::Index>(k)).transpose();
+    residues = residues_of(A, next);
+    const double largest = residues.cwiseAbs().maxCoeff();
+    if (!(largest < after)) break;
+    after = largest;
+    control = std::move(next);
+  }
+  return {before, after};
+}
+
 void set_parameter(Parameters& parameters, const std::string& name, const ParameterValue& value) {
   for (auto& [key, old] : parameters)
     if (key == name) {
@@ -70,13 +109,15 @@ Projection project(const Result& result, double conformance_bound) {
       fail_on_domain();
   Projection out{result};
   // All control points are free and weigh the same: the projection is orthogonal.
-  const ProjectionReport report =
-      project_to_c1(asked_edges(result, mesh), domain, std::vector<char>(mesh.control.size(), 0),
-                    std::vector<double>(mesh.control.size(), 1), out.result.control_points);
+  std::vector<Point>& control = out.result.control_points;
+  const RowMatrix A =
+      c1_matrix(asked_edges(result, mesh), domain, static_cast<int>(control.size()));
   const double extent = extent_of(result);
-  out.before = report.before / extent;
-  out.after = report.after / extent;
-  out.largest_move = report.largest_move / extent;
+  const auto [before, after] = move_onto(A, control);
+  out.before = before / extent;
+  out.after = after / extent;
+  for (std::size_t k = 0; k < control.size(); ++k)
+    out.largest_move = std::max(out.largest_move, (control[k] - mesh.control[k]).norm() / extent);
   set_parameter(out.result.parameters, "projected", true);
   set_parameter(out.result.parameters, "c1_bound", 1e-11);
   set_parameter(out.result.parameters, "conformance_bound", conformance_bound);
