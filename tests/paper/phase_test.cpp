@@ -186,7 +186,7 @@ TEST(Phase, BoundOnDistortionHoldsThroughout) {
   EXPECT_FALSE(tight.domain == domain_points(region.mesh));
 }
 
-// A letter C almost closed: the domain's ends keep apart only if that is asked for.
+// A spiral, whose windings are beside each other.
 TEST(Phase, NoOverlapKeepsTheBoundarySimple) {
   Region region = blob_region(true);
   MeshReport report;

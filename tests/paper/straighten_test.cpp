@@ -208,6 +208,22 @@ TEST(Straighten, SmoothLoopsKeepThreeCornersWhereverTheyStart) {
   }
 }
 
+// A polygon needs three corners that turn its way. Two of the shape's do, a reflex one does not:
+// one more is kept, so that nothing collapses.
+TEST(Straighten, ReflexCornersAreNotAmongTheThree) {
+  Fan f = fan({0, 1, 2, 3, 4});
+  for (Joint& j : f.joints[0])
+    j.kind = j.vertex % 2 == 0 && j.vertex < 5 ? JointKind::corner : JointKind::smooth;
+  f.state.domain.row(2) << 2, 0.3;
+  const Straightened s =
+      straighten(f.mesh, f.joints, f.state, {kFar, Straightening::orthogonal, false});
+  EXPECT_EQ(s.restored, 0);
+  EXPECT_TRUE(s.corner[0] && s.corner[2] && s.corner[4]);
+  EXPECT_EQ(s.corner[5] + s.corner[6], 1);
+  EXPECT_EQ(corners_of(s).size(), 4u);
+  expect_straight(s, f.joints[0]);
+}
+
 // Holes are run through the other way; their corners count where they turn that way.
 TEST(Straighten, HolesKeepThreeCornersToo) {
   MeshReport report;
