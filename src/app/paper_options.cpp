@@ -14,24 +14,39 @@ namespace {
 
 constexpr const char* kGroup = "Options of --method paper";
 
-// "A" for both phases, "A,B" for phase one and phase two.
+std::vector<std::string> parts_of(const std::string& text) {
+  return CLI::detail::split(text, ',');
+}
+
+// One word, "A" for both phases or "A,B" for phase one and phase two: as a list it would take an
+// input that follows for its second part.
 template <class Number>
 CLI::Option* add_per_phase(CLI::App& cli, const std::string& name, Number (&values)[2],
                            const std::string& help, const CLI::Validator& range) {
+  const auto check = [range](const std::string& text) -> std::string {
+    const std::vector<std::string> parts = parts_of(text);
+    if (parts.size() > 2) return "must be one number, or two with a comma between them";
+    for (std::string part : parts) {
+      Number value;
+      if (!CLI::detail::lexical_cast(part, value)) return "'" + part + "' is no number";
+      const std::string fault = range(part);
+      if (!fault.empty()) return fault;
+    }
+    return "";
+  };
   return cli
-      .add_option_function<std::vector<Number>>(
+      .add_option_function<std::string>(
           name,
-          [&values](const std::vector<Number>& given) {
-            values[0] = given.front();
-            values[1] = given.back();
+          [&values](const std::string& text) {
+            const std::vector<std::string> parts = parts_of(text);
+            CLI::detail::lexical_cast(parts.front(), values[0]);
+            CLI::detail::lexical_cast(parts.back(), values[1]);
           },
           help)
-      ->delimiter(',')
-      ->expected(1, 2)
-      ->allow_extra_args(false)
+      ->type_name("A[,B]")
       ->default_str(fmt::format("{},{}", values[0], values[1]))
       ->group(kGroup)
-      ->check(range);
+      ->check(CLI::Validator(check, "", "per_phase"));
 }
 
 }  // namespace
