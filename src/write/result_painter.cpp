@@ -60,8 +60,13 @@ Box ResultPainter::box(Part part) const {
 
 Box ResultPainter::window(Part part) const {
   const Box whole = box(part);
-  const double half = 0.5 * options_.zoom->size * (whole.high - whole.low).maxCoeff();
-  const Point centre = place_of(zoomed_vertex(), part == Part::domain);
+  const Point size = whole.high - whole.low;
+  const double half = 0.5 * options_.zoom->size * size.maxCoeff();
+  Point centre = place_of(zoomed_vertex(), part == Part::domain);
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = whole.low[axis] + half, high = whole.high[axis] - half;
+    centre[axis] = low < high ? std::clamp(centre[axis], low, high) : 0.5 * (low + high);
+  }
   return {centre - Point(half, half), centre + Point(half, half)};
 }
 

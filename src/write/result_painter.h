@@ -32,7 +32,7 @@ class ResultPainter {
 
   /// The bounding box of what a part shows.
   Box box(Part part) const;
-  /// The square around a vertex that `options.zoom` asks for.
+  /// The square around a vertex that `options.zoom` asks for, moved into the box.
   Box window(Part part) const;
   /// Everything of the part that meets `seen`, as an SVG group `id`.
   std::string paint(const Panel& panel, Part part, const Box& seen, const std::string& id,

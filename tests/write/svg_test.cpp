@@ -161,7 +161,7 @@ TEST(Svg, SeveralResultsAreBlocksInRows) {
 
 // The window is centred where the vertex is and magnified as the text says; a vertex that the
 // domain drawn over has moved is found.
-TEST(Svg, BlowUpIsCentredOnItsVertex) {
+TEST(Svg, BlowUpIsAroundItsVertex) {
   const Result result = example::grid(3, 3, example::identity());
   Result moved = result;
   const int vertex = 2;
@@ -181,6 +181,8 @@ TEST(Svg, BlowUpIsCentredOnItsVertex) {
   EXPECT_NEAR(large, panel, 0.1);
   EXPECT_NEAR(small, 0.25 * panel, 0.1);  // the domain is the unit square
   EXPECT_NEAR(frames[0].node().attribute("x").as_double() + small / 2, 28 + panel * 2 / 3, 0.1);
+  // The vertex is near the lower side, so the window is moved up to it: the panel ends there.
+  EXPECT_NEAR(frames[0].node().attribute("y").as_double() + small, 58 + panel, 0.1);
   EXPECT_NE(svg.find(">4 times<"), std::string::npos);
   options.zoom->vertex = Zoom::kApart;
   EXPECT_EQ(draw_svg(drawn, options), svg);
