@@ -90,12 +90,13 @@ class Page {
         options_.width, height, title_of(0));
     out += kStyle;
     out += kPainterStyle;
+    // What only some pictures need.
+    const auto& parts = options_.parts;
+    if (options_.grid_lines == 0 || std::count(parts.begin(), parts.end(), Part::mesh))
+      out += ".bare .mesh{stroke:#7c8797}\n";
     if (options_.zoom) out += ".window{fill:none;stroke:#2a2f38;stroke-width:.8}\n";
-    for (const Drawn& r : results_)
-      if (r.over) {
-        out += ".over{stroke:#d0342c;stroke-width:1.4}\n";
-        break;
-      }
+    if (std::any_of(results_.begin(), results_.end(), [](const Drawn& r) { return r.over; }))
+      out += ".over{stroke:#d0342c;stroke-width:1.4}\n";
     out += "</style>\n";
     out += fmt::format("<rect width=\"{:.0f}\" height=\"{:.0f}\" fill=\"#fff\"/>\n", options_.width,
                        height);

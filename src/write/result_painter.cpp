@@ -97,7 +97,9 @@ std::string ResultPainter::paint(const Panel& panel, Part part, const Box& seen,
                                  const std::string& id, const ColourScale& scale) const {
   const bool domain = part == Part::domain;
   const bool coloured = options_.colour != Colour::none && part != Part::outline;
-  std::string out = fmt::format("<g id=\"{}\"{}>\n", id, coloured ? " class=\"coloured\"" : "");
+  const bool bare = !coloured && (part == Part::mesh || options_.grid_lines == 0);
+  const char* css = coloured ? " class=\"coloured\"" : bare ? " class=\"bare\"" : "";
+  std::string out = fmt::format("<g id=\"{}\"{}>\n", id, css);
   out += coloured ? fill(panel, domain, scale) : inside(panel, domain);
   if (part != Part::outline) {
     if (options_.show_mesh) {
