@@ -106,6 +106,8 @@ Status draw(Console& console, const DrawArguments& arguments) {
   const std::string& first = arguments.inputs.front();
   std::optional<std::string> trace;
   const Status status = guarded(console, first, [&] {
+    if (arguments.titles.size() > arguments.inputs.size())
+      throw std::invalid_argument("there are more --titles than results");
     if (arguments.inputs.size() == 1) trace = trace_text(first);
     if (trace)
       deliver(arguments.output, plot(arguments, *trace));

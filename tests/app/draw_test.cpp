@@ -57,6 +57,7 @@ TEST_F(DrawResults, RefusesWhatCannotBeDrawn) {
     EXPECT_EQ(folder.run(std::string("draw a.c1.json -o - ") + options).status, 2) << options;
   EXPECT_NE(folder.run("draw a.c1.json -o - --zoom 100000,0.1").status, 0);
   EXPECT_NE(folder.run("draw a.c1.json -o - --zoom apart,0.1").status, 0);
+  EXPECT_NE(folder.run("draw a.c1.json --titles one,two -o -").status, 0);
   const Ran missing = folder.run("draw a.c1.json none.c1.json -o -");
   EXPECT_NE(missing.status, 0);
   EXPECT_TRUE(contains(missing.err, "none.c1.json"));
