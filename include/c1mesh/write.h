@@ -2,6 +2,7 @@
 // Pictures and files for other programs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,28 @@ enum class Colour {
   c1_deviation,  ///< per triangle, the largest d_ei of its three edges relative to the extent
 };
 
+/// What a panel of a picture shows of a result.
+enum class Part {
+  outline,  ///< the shape's boundary and features alone
+  mesh,     ///< the shape with its mesh, without iso-curves
+  shape,    ///< the shape with mesh and iso-curves
+  domain,   ///< the domain with mesh and grid
+};
+
+/// A blow-up beside a panel: a square window around a vertex.
+struct Zoom {
+  static constexpr int kApart =
+      -1;  ///< where the domain and the one drawn over it are farthest apart
+  int vertex = kApart;
+  double size = 0.1;  ///< of the window, relative to the larger side of what the panel shows
+};
+
 struct DrawOptions {
-  double width = 1200;  ///< of the picture, in pixels
-  int grid_lines = 24;  ///< iso-lines along the longer side of the domain; 0: none
+  double width = 1200;                                    ///< of the picture, in pixels
+  std::vector<Part> parts = {Part::shape, Part::domain};  ///< a result's panels, side by side
+  int columns = 1;                                        ///< results side by side
+  std::optional<Zoom> zoom;  ///< every panel is followed by its blow-up
+  int grid_lines = 24;       ///< iso-lines along the longer side of the domain; 0: none
   bool show_mesh = true;
   bool show_control_net = false;
   Colour colour = Colour::none;
@@ -26,7 +46,19 @@ struct DrawOptions {
 
 /// An SVG picture: left the shape with the images of the domain's grid lines, right the domain with
 /// the grid itself; mesh, boundary, exceptional vertices (green dots) on both.
+/// A result that claims C1 nowhere (all its vertices are exceptional) has no marks.
 std::string draw_svg(const Result& result, const DrawOptions& options = {});
+
+/// One of several results in a picture.
+struct Drawn {
+  const Result* result = nullptr;
+  std::string title;             ///< empty: the result's name
+  const Result* over = nullptr;  ///< its domain's boundary is drawn (red) over the domain
+};
+
+/// Several results in one picture, `options.columns` of them side by side. Throws
+/// std::invalid_argument if a result has no such vertex as `options.zoom` asks for.
+std::string draw_svg(const std::vector<Drawn>& results, const DrawOptions& options = {});
 
 /// How a VTU file holds the curved triangles and edges.
 enum class VtuCells {

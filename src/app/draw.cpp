@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/command.h"
 #include "c1mesh/error.h"
@@ -21,7 +22,8 @@ namespace c1mesh::app {
 namespace {
 
 struct DrawArguments {
-  std::string input, output;
+  std::vector<std::string> inputs, titles;
+  std::string output, over, zoom;
   bool no_mesh = false;
   std::string shape;  // of a trace; empty: the first
   int region = -1;    // of that shape; -1: the first
@@ -76,13 +78,62 @@ std::string plot(const DrawArguments& arguments, const std::string& text) {
                     arguments.options.width);
 }
 
-std::string picture(const DrawArguments& arguments) {
-  if (const auto text = trace_text(arguments.input)) return plot(arguments, *text);
-  if (!arguments.shape.empty() || arguments.region >= 0)
-    throw std::invalid_argument("--shape and --region are for traces; this is none");
+// Results are read one by one, so that each failure is said of its own file.
+Status draw_results(Console& console, const DrawArguments& arguments) {
+  std::vector<std::string> paths = arguments.inputs;
+  if (!arguments.over.empty()) paths.push_back(arguments.over);
+  std::vector<Result> results;
+  for (const std::string& path : paths) {
+    const Status status = guarded(console, path, [&] {
+      results.push_back(read_result(path));
+      return Status::ok;
+    });
+    if (status != Status::ok) return status;
+  }
+  std::vector<Drawn> drawn;
+  for (std::size_t k = 0; k < arguments.inputs.size(); ++k)
+    drawn.push_back({&results[k], k < arguments.titles.size() ? arguments.titles[k] : "",
+                     arguments.over.empty() ? nullptr : &results.back()});
   DrawOptions chosen = arguments.options;
   chosen.show_mesh = !arguments.no_mesh;
-  return draw_svg(read_result(arguments.input), chosen);
+  return guarded(console, arguments.inputs.front(), [&] {
+    deliver(arguments.output, draw_svg(drawn, chosen));
+    return Status::ok;
+  });
+}
+
+Status draw(Console& console, const DrawArguments& arguments) {
+  const std::string& first = arguments.inputs.front();
+  std::optional<std::string> trace;
+  const Status status = guarded(console, first, [&] {
+    if (arguments.titles.size() > arguments.inputs.size())
+      throw std::invalid_argument("there are more --titles than results");
+    if (arguments.inputs.size() == 1) trace = trace_text(first);
+    if (trace)
+      deliver(arguments.output, plot(arguments, *trace));
+    else if (!arguments.shape.empty() || arguments.region >= 0)
+      throw std::invalid_argument("--shape and --region are for traces; this is none");
+    return Status::ok;
+  });
+  return trace || status != Status::ok ? status : draw_results(console, arguments);
+}
+
+// "VERTEX,SIZE"; VERTEX may be "apart".
+CLI::Validator zoom_of(DrawOptions& options) {
+  return {[&options](const std::string& text) -> std::string {
+            const std::size_t comma = text.find(',');
+            const std::string vertex = text.substr(0, comma);
+            Zoom zoom;
+            const bool known = vertex == "apart" ||
+                               (CLI::detail::lexical_cast(vertex, zoom.vertex) && zoom.vertex >= 0);
+            if (!known || comma == std::string::npos ||
+                !CLI::detail::lexical_cast(text.substr(comma + 1), zoom.size) ||
+                !(zoom.size > 0 && zoom.size <= 1))
+              return "must be a vertex, or apart, and a size above 0 and at most 1, as in 12,0.1";
+            options.zoom = zoom;
+            return "";
+          },
+          "VERTEX,SIZE", "zoom"};
 }
 
 }  // namespace
@@ -91,16 +142,39 @@ Command add_draw(CLI::App& app) {
   static const std::map<std::string, Colour> kColours = {{"none", Colour::none},
                                                          {"distortion", Colour::distortion},
                                                          {"c1-deviation", Colour::c1_deviation}};
+  static const std::map<std::string, Part> kParts = {{"outline", Part::outline},
+                                                     {"mesh", Part::mesh},
+                                                     {"shape", Part::shape},
+                                                     {"domain", Part::domain}};
   auto arguments = std::make_shared<DrawArguments>();
   DrawOptions& options = arguments->options;
   CLI::App* cli = app.add_subcommand(
       "draw", "Draw a result: shape and domain with iso-curves; or plot a trace");
-  cli->add_option("RESULT", arguments->input, "NAME.c1.json, or what run --trace wrote")
+  cli->add_option("RESULT", arguments->inputs,
+                  "NAME.c1.json, several for one picture; or what run --trace wrote")
       ->required();
   cli->add_option("-o,--output", arguments->output, "SVG file, - for standard output")->required();
   cli->add_option("--width", options.width, "Width of the picture in pixels")
       ->capture_default_str()
       ->check(CLI::Range(64, 100000));
+  cli->add_option("--parts", options.parts,
+                  "Panels of a result, of outline, mesh, shape and domain: shape,domain")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->transform(CLI::CheckedTransformer(kParts).description(""));
+  cli->add_option("--columns", options.columns, "Results side by side, the others below")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100));
+  cli->add_option("--titles", arguments->titles, "Of the results, A,B,…, instead of their names")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  cli->add_option("--over", arguments->over,
+                  "Draw the domain's boundary of this result over the domain, in red");
+  cli->add_option(
+         "--zoom", arguments->zoom,
+         "Beside each panel a blow-up around a vertex, of SIZE of the panel's larger side;"
+         " VERTEX may be 'apart': where the domains of RESULT and --over are farthest apart")
+      ->check(zoom_of(options));
   cli->add_option("--grid", options.grid_lines, "Iso-curves along the longer side, 0 for none")
       ->capture_default_str()
       ->check(CLI::Range(0, 1000));
@@ -111,12 +185,7 @@ Command add_draw(CLI::App& app) {
   cli->add_option("--shape", arguments->shape, "Of a trace: this shape instead of the first");
   cli->add_option("--region", arguments->region, "Of a trace: this region, counted from 0")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""));
-  return {cli, [arguments](Console& console) {
-            return guarded(console, arguments->input, [&] {
-              deliver(arguments->output, picture(*arguments));
-              return Status::ok;
-            });
-          }};
+  return {cli, [arguments](Console& console) { return draw(console, *arguments); }};
 }
 
 }  // namespace c1mesh::app

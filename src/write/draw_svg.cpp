@@ -1,238 +1,166 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture of a result: the shape on the left, its domain on the right.
+// The page of a picture: blocks of panels, one block for each result, and a legend.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "base/xml.h"
 #include "c1mesh/write.h"
-#include "write/grid_lines.h"
-#include "write/mesh_edges.h"
-#include "write/svg_canvas.h"
+#include "write/result_painter.h"
 
 namespace c1mesh {
 namespace {
 
 constexpr double kMargin = 28, kHeader = 58, kLegend = 56;  // pixels
 constexpr double kTallest = 1.5;                            // a panel's height over its width
-constexpr int kColours = 48;                                // steps of the colour scale
-constexpr int kCuts = 6;                                    // pieces per triangle side when filled
+constexpr double kNarrow = 340;                             // a block in which text is kept short
 
 constexpr const char* kStyle = R"(<style>
 text{font-family:Helvetica,Arial,sans-serif;fill:#2a2f38}
 path,line{fill:none;stroke-linecap:round;stroke-linejoin:round}
-.mesh{stroke:#bfc6d0;stroke-width:.7}
-.u{stroke:#2c6fb7;stroke-width:.9}
-.v{stroke:#c9742b;stroke-width:.9}
-.coloured .u,.coloured .v{stroke:#20262e;stroke-width:.6;stroke-opacity:.38}
-.coloured .mesh{stroke:#20262e;stroke-width:.5;stroke-opacity:.22}
-.net{stroke:#b48ac0;stroke-width:.5}
-.boundary{stroke:#171b22;stroke-width:2}
-.feature{stroke:#171b22;stroke-width:1.3}
-.relaxed{stroke:#199a4c;stroke-width:1.1;stroke-dasharray:4 2.5}
-.inside{fill:#f8f9fb;fill-rule:evenodd;stroke:none}
-.exceptional{fill:#199a4c;stroke:#fff;stroke-width:1.2}
-</style>
 )";
 
-/// Values mapped to the colour scale by logarithm.
-struct Scale {
-  double low = 1, high = 10;
-  std::string label;
-  int step(double value) const {
-    if (!(value > low)) return 0;
-    const double share = std::log(value / low) / std::log(high / low);
-    return std::clamp(static_cast<int>(share * kColours), 0, kColours - 1);
+const char* name_of(Part part) {
+  switch (part) {
+    case Part::outline:
+      return "outline";
+    case Part::mesh:
+      return "mesh";
+    case Part::shape:
+      return "shape";
+    default:
+      return "domain";
   }
+}
+
+/// One panel on the page: its frame in pixels.
+struct Frame {
+  double left, top, width, height;
 };
 
-class Picture {
+class Page {
  public:
-  Picture(const Result& result, const DrawOptions& options)
-      : result_(result),
+  Page(const std::vector<Drawn>& results, const DrawOptions& options)
+      : results_(results),
         options_(options),
-        map_(result),
-        edges_(edges_of(map_)),
-        lines_(iso_lines(result, options.grid_lines)) {}
+        columns_(std::clamp<std::size_t>(options.columns, 1, results.size())),
+        block_width_((options.width - kMargin) / static_cast<double>(columns_)) {
+    const std::size_t panels = options.parts.size() * (options.zoom ? 2 : 1);
+    panel_width_ = std::max(
+        50.0, (block_width_ - static_cast<double>(panels) * kMargin) / static_cast<double>(panels));
+    painters_.reserve(results.size());
+    for (const Drawn& r : results) painters_.emplace_back(*r.result, r.over, options);
+  }
 
   std::string draw() {
-    const Box shape = box_of(result_.control_points), domain = box_of(result_.domain_vertices);
-    const double width = std::max(50.0, (options_.width - 3 * kMargin) / 2);
-    const auto height_of = [&](const Box& box) {
-      const Point size = box.high - box.low;
-      return width * std::min(kTallest, size.y() / std::max(size.x(), 1e-300));
-    };
-    const double height = std::max({height_of(shape), height_of(domain), 0.2 * width});
     const bool coloured = options_.colour != Colour::none;
-    const double total = kHeader + height + kMargin + (coloured ? kLegend : 0);
-    const Panel left(shape.low, shape.high, kMargin, kHeader, width, height);
-    const Panel right(domain.low, domain.high, 2 * kMargin + width, kHeader, width, height);
-
-    std::string out = header(total);
     if (coloured) choose_scale();
-    out += panel(left, false);
-    out += panel(right, true);
-    if (coloured) out += legend(kHeader + height + kMargin);
-    return out + "</svg>\n";
+    std::string blocks;
+    double top = 0;
+    for (std::size_t first = 0; first < results_.size(); first += columns_) {
+      const std::size_t last = std::min(first + columns_, results_.size());
+      double height = 0.2 * panel_width_;
+      for (std::size_t k = first; k < last; ++k) height = std::max(height, height_of(painters_[k]));
+      for (std::size_t k = first; k < last; ++k)
+        blocks += block(k, static_cast<double>(k - first) * block_width_, top, height);
+      top += kHeader + height + (last < results_.size() ? 0.5 * kMargin : kMargin);
+    }
+    return header(top + (coloured ? kLegend : 0)) + blocks + (coloured ? legend(top) : "") +
+           "</svg>\n";
   }
 
  private:
-  struct Box {
-    Point low = Point::Zero(), high = Point::Zero();
-  };
-
-  static Box box_of(const std::vector<Point>& points) {
-    Box box;
-    if (points.empty()) return box;
-    box.low = box.high = points[0];
-    for (const Point& p : points) {
-      box.low = box.low.cwiseMin(p);
-      box.high = box.high.cwiseMax(p);
+  double height_of(const ResultPainter& painter) const {
+    double height = 0;
+    for (const Part part : options_.parts) {
+      const Box box = painter.box(part);
+      const Point size = box.high - box.low;
+      const double share = options_.zoom ? std::max(1.0, size.y() / std::max(size.x(), 1e-300))
+                                         : size.y() / std::max(size.x(), 1e-300);
+      height = std::max(height, panel_width_ * std::min(kTallest, share));
     }
-    return box;
+    return height;
   }
 
   std::string header(double height) const {
-    const std::string name = xml_escaped(result_.name.empty() ? "c1mesh result" : result_.name);
     std::string out = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
         "viewBox=\"0 0 {0:.0f} {1:.0f}\">\n<title>{2}</title>\n",
-        options_.width, height, name);
+        options_.width, height, title_of(0));
     out += kStyle;
+    out += kPainterStyle;
+    // What only some pictures need.
+    const auto& parts = options_.parts;
+    if (options_.grid_lines == 0 || std::count(parts.begin(), parts.end(), Part::mesh))
+      out += ".bare .mesh{stroke:#7c8797}\n";
+    if (options_.zoom) out += ".window{fill:none;stroke:#2a2f38;stroke-width:.8}\n";
+    if (std::any_of(results_.begin(), results_.end(), [](const Drawn& r) { return r.over; }))
+      out += ".over{stroke:#d0342c;stroke-width:1.4}\n";
+    out += "</style>\n";
     out += fmt::format("<rect width=\"{:.0f}\" height=\"{:.0f}\" fill=\"#fff\"/>\n", options_.width,
                        height);
-    out += fmt::format("<text x=\"{}\" y=\"28\" font-size=\"17\" font-weight=\"bold\">{}</text>\n",
-                       kMargin, name);
-    const std::size_t exceptional = result_.exceptional_vertices.size();
-    out += fmt::format(
-        "<text x=\"{}\" y=\"46\" font-size=\"12\">{} triangles of degree {}, {} "
-        "exceptional {}</text>\n",
-        kMargin, result_.triangles.size(), result_.degree, exceptional,
-        exceptional == 1 ? "vertex" : "vertices");
     return out;
   }
 
-  std::string panel(const Panel& panel, bool domain) const {
-    const bool coloured = options_.colour != Colour::none;
-    std::string out = fmt::format("<g id=\"{}\"{}>\n", domain ? "domain" : "shape",
-                                  coloured ? " class=\"coloured\"" : "");
-    out += coloured ? fill(panel, domain) : inside(panel, domain);
-    if (options_.show_mesh) out += edge_path(panel, domain, EdgeKind::smooth, "mesh");
-    if (options_.show_control_net && !domain) out += control_net(panel);
-    for (const int axis : {0, 1}) out += iso_path(panel, domain, axis);
-    if (options_.show_mesh) out += edge_path(panel, domain, EdgeKind::relaxed, "relaxed");
-    out += edge_path(panel, domain, EdgeKind::feature, "feature");
-    out += edge_path(panel, domain, EdgeKind::boundary, "boundary");
-    out += dots(panel, domain);
-    return out + "</g>\n";
+  std::string title_of(std::size_t k) const {
+    const Drawn& r = results_[k];
+    if (!r.title.empty()) return xml_escaped(r.title);
+    return xml_escaped(r.result->name.empty() ? "c1mesh result" : r.result->name);
   }
 
-  std::vector<Point> poles_of(const DrawnEdge& e, bool domain) const {
-    if (domain) return {result_.domain_vertices[e.a], result_.domain_vertices[e.b]};
-    return map_.edge(e.triangle[0], e.corner[0]);
+  // In a narrow block without what can be spared.
+  std::string summary_of(const Result& result, bool claims_nothing) const {
+    const std::size_t exceptional = result.exceptional_vertices.size();
+    const bool narrow = block_width_ < kNarrow;
+    return fmt::format("{} triangles{}, {}", result.triangles.size(),
+                       narrow ? "" : fmt::format(" of degree {}", result.degree),
+                       claims_nothing ? "C1 claimed nowhere"
+                                      : fmt::format("{} exceptional{}", exceptional,
+                                                    narrow             ? ""
+                                                    : exceptional == 1 ? " vertex"
+                                                                       : " vertices"));
   }
 
-  /// A pale ground inside the boundary.
-  std::string inside(const Panel& panel, bool domain) const {
-    std::map<int, const DrawnEdge*> next;
-    for (const DrawnEdge& e : edges_)
-      if (e.kind == EdgeKind::boundary) next[e.a] = &e;
-    PathData path(panel);
-    while (!next.empty()) {
-      const int start = next.begin()->first;
-      path.move(poles_of(*next[start], domain).front());
-      for (auto found = next.find(start); found != next.end();) {
-        const DrawnEdge* e = found->second;
-        path.curve(poles_of(*e, domain));
-        next.erase(found);
-        found = next.find(e->b);
-      }
-      path.close();
-    }
-    return path_element("inside", path);
-  }
-
-  std::string edge_path(const Panel& panel, bool domain, EdgeKind kind, const char* css) const {
-    PathData path(panel);
-    for (const DrawnEdge& e : edges_) {
-      if (e.kind != kind) continue;
-      const std::vector<Point> poles = poles_of(e, domain);
-      path.move(poles.front());
-      path.curve(poles);
-    }
-    return path_element(css, path);
-  }
-
-  std::string iso_path(const Panel& panel, bool domain, int axis) const {
-    PathData path(panel);
-    for (const IsoLine& line : lines_) {
-      if (line.axis != axis) continue;
-      if (domain) {
-        path.move(map_.domain_point(line.pieces.front().triangle, line.pieces.front().from));
-        path.line(map_.domain_point(line.pieces.back().triangle, line.pieces.back().to));
-        continue;
-      }
-      path.move(map_.evaluate(line.pieces.front().triangle, line.pieces.front().from));
-      for (const LinePiece& piece : line.pieces)
-        path.curve(map_.segment(piece.triangle, piece.from, piece.to));
-    }
-    return path_element(axis == 0 ? "u" : "v", path);
-  }
-
-  std::string control_net(const Panel& panel) const {
-    PathData path(panel);
-    for (int t = 0; t < static_cast<int>(result_.triangles.size()); ++t)
-      for (int j = 0; j < result_.degree; ++j)
-        for (int i = 0; i < result_.degree - j; ++i) {
-          const auto at = [&](int a, int b) -> const Point& {
-            return result_.control_points[map_.control_id(t, 0, a, b)];
-          };
-          path.move(at(i, j));
-          path.line(at(i + 1, j));
-          path.line(at(i, j + 1));
-          path.close();
-        }
-    return path_element("net", path);
-  }
-
-  std::string dots(const Panel& panel, bool domain) const {
-    std::string out;
-    for (const int v : result_.exceptional_vertices) {
-      const Point p = panel.place(domain ? result_.domain_vertices[v] : vertex_image(v));
-      out += fmt::format("<circle class=\"exceptional\" cx=\"{:.3f}\" cy=\"{:.3f}\" r=\"4.5\"/>\n",
-                         p.x(), p.y());
+  std::string block(std::size_t k, double left, double top, double height) const {
+    const Result& result = *results_[k].result;
+    std::string out =
+        fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"17\" font-weight=\"bold\">{}</text>\n",
+                    left + kMargin, top + 28, title_of(k));
+    out += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"12\">{}</text>\n", left + kMargin,
+                       top + 46, summary_of(result, painters_[k].claims_nothing()));
+    Frame frame{left + kMargin, top + kHeader, panel_width_, height};
+    for (const Part part : options_.parts) {
+      const std::string id = name_of(part) + (k == 0 ? std::string() : fmt::format("-{}", k + 1));
+      const Box box = painters_[k].box(part);
+      const Panel panel(box.low, box.high, frame.left, frame.top, frame.width, frame.height);
+      out += painters_[k].paint(panel, part, box, id, scale_);
+      frame.left += panel_width_ + kMargin;
+      if (!options_.zoom) continue;
+      out += blow_up(painters_[k], part, panel, frame, id + "-zoom");
+      frame.left += panel_width_ + kMargin;
     }
     return out;
   }
 
-  Point vertex_image(int v) const {
-    for (std::size_t t = 0; t < result_.triangles.size(); ++t)
-      for (int k = 0; k < 3; ++k)
-        if (result_.triangles[t][k] == v)
-          return result_.control_points[map_.control_id(static_cast<int>(t), k, 0, 0)];
-    return Point::Zero();
-  }
-
-  /// Calls visit(triangle, three barycentric corners) for the small triangles that are filled.
-  template <class Visit>
-  void pieces(int t, const Visit& visit) const {
-    const auto at = [](int i, int j) {
-      return Barycentric(double(kCuts - i - j) / kCuts, double(i) / kCuts, double(j) / kCuts);
+  // The window's frame in the panel, then the window itself, as large as its own frame allows.
+  std::string blow_up(const ResultPainter& painter, Part part, const Panel& whole,
+                      const Frame& frame, const std::string& id) const {
+    const Box window = painter.window(part);
+    const Panel panel(window.low, window.high, frame.left, frame.top, frame.width, frame.height);
+    const auto rectangle = [&](const Panel& on, const char* css) {
+      const Point a = on.place(window.low), b = on.place(window.high);
+      return fmt::format("<rect{} x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>\n",
+                         css, a.x(), b.y(), b.x() - a.x(), a.y() - b.y());
     };
-    for (int j = 0; j < kCuts; ++j)
-      for (int i = 0; i < kCuts - j; ++i) {
-        visit(t, at(i, j), at(i + 1, j), at(i, j + 1));
-        if (i + j < kCuts - 1) visit(t, at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-      }
-  }
-
-  std::vector<double> triangle_deviations() const {
-    std::vector<double> out(result_.triangles.size(), 0);
-    for (const DrawnEdge& e : edges_)
-      for (const int t : e.triangle)
-        if (t >= 0) out[t] = std::max(out[t], e.c1_deviation);
+    std::string out = rectangle(whole, " class=\"window\"");
+    out += "<clipPath id=\"clip-" + id + "\">" + rectangle(panel, "") + "</clipPath>\n";
+    out += "<g clip-path=\"url(#clip-" + id + ")\">\n" +
+           painter.paint(panel, part, window, id, scale_) + "</g>\n";
+    out += rectangle(panel, " class=\"window\"");
+    const Point corner = panel.place({window.low.x(), window.high.y()});
+    out += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"12\">{:.3g} times</text>\n",
+                       corner.x(), corner.y() - 5, panel.scale() / whole.scale());
     return out;
   }
 
@@ -241,52 +169,20 @@ class Picture {
       scale_ = {1e-17, 1e-3, "C1 deviation, relative to the extent"};
       return;
     }
-    double most = 2;
-    for (int t = 0; t < static_cast<int>(result_.triangles.size()); ++t)
-      pieces(t,
-             [&](int triangle, const Barycentric& a, const Barycentric& b, const Barycentric& c) {
-               const double value = map_.distortion(triangle, (a + b + c) / 3);
-               if (std::isfinite(value)) most = std::max(most, value);
-             });
-    scale_ = {2, std::max(3.0, most), "distortion (MIPS: 2 is a similarity)"};
-  }
-
-  /// All small triangles of one colour make one path; a hairline of the same colour hides seams.
-  std::string fill(const Panel& panel, bool domain) const {
-    std::vector<PathData> paths(kColours, PathData(panel));
-    const std::vector<double> deviation = triangle_deviations();
-    for (int t = 0; t < static_cast<int>(result_.triangles.size()); ++t)
-      pieces(t,
-             [&](int triangle, const Barycentric& a, const Barycentric& b, const Barycentric& c) {
-               const double value = options_.colour == Colour::c1_deviation
-                                        ? deviation[triangle]
-                                        : map_.distortion(triangle, (a + b + c) / 3);
-               PathData& path = paths[std::isfinite(value) ? scale_.step(value) : kColours - 1];
-               const auto at = [&](const Barycentric& p) {
-                 return domain ? map_.domain_point(triangle, p) : map_.evaluate(triangle, p);
-               };
-               path.move(at(a));
-               path.line(at(b));
-               path.line(at(c));
-               path.close();
-             });
-    std::string out;
-    for (int k = 0; k < kColours; ++k) {
-      if (paths[k].empty()) continue;
-      const std::string colour = scale_colour((k + 0.5) / kColours);
-      out += "<path style=\"fill:" + colour + ";stroke:" + colour + ";stroke-width:.4\" d=\"" +
-             paths[k].text() + "\"/>\n";
-    }
-    return out;
+    double most = 3;
+    for (const ResultPainter& painter : painters_)
+      most = std::max(most, painter.largest_distortion());
+    scale_ = {2, most, "distortion (MIPS: 2 is a similarity)"};
   }
 
   std::string legend(double top) const {
-    const double width = std::min(420.0, options_.width - 2 * kMargin), bar = width / kColours;
+    constexpr int kSteps = ColourScale::kSteps;
+    const double width = std::min(420.0, options_.width - 2 * kMargin), bar = width / kSteps;
     std::string out = "<g id=\"legend\">\n";
-    for (int k = 0; k < kColours; ++k)
+    for (int k = 0; k < kSteps; ++k)
       out += fmt::format(
           "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"10\" fill=\"{}\"/>\n",
-          kMargin + k * bar, top, bar + 0.3, scale_colour((k + 0.5) / kColours));
+          kMargin + k * bar, top, bar + 0.3, scale_colour((k + 0.5) / kSteps));
     for (const double share : {0.0, 0.5, 1.0}) {
       const double value = scale_.low * std::pow(scale_.high / scale_.low, share);
       const char* anchor = share == 0 ? "start" : share == 1 ? "end" : "middle";
@@ -300,18 +196,23 @@ class Picture {
     return out + "</g>\n";
   }
 
-  const Result& result_;
+  const std::vector<Drawn>& results_;
   const DrawOptions& options_;
-  PiecewiseMap map_;
-  std::vector<DrawnEdge> edges_;
-  std::vector<IsoLine> lines_;
-  Scale scale_;
+  std::size_t columns_;
+  double block_width_, panel_width_ = 0;
+  std::vector<ResultPainter> painters_;
+  ColourScale scale_;
 };
 
 }  // namespace
 
 std::string draw_svg(const Result& result, const DrawOptions& options) {
-  return Picture(result, options).draw();
+  return draw_svg(std::vector<Drawn>{{&result, "", nullptr}}, options);
+}
+
+std::string draw_svg(const std::vector<Drawn>& results, const DrawOptions& options) {
+  if (results.empty()) throw std::invalid_argument("no result is given to be drawn");
+  return Page(results, options).draw();
 }
 
 }  // namespace c1mesh

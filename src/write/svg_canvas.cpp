@@ -26,6 +26,17 @@ std::string pair(const Point& p) {
 
 }  // namespace
 
+Box box_of(const std::vector<Point>& points) {
+  Box box;
+  if (points.empty()) return box;
+  box.low = box.high = points[0];
+  for (const Point& p : points) {
+    box.low = box.low.cwiseMin(p);
+    box.high = box.high.cwiseMax(p);
+  }
+  return box;
+}
+
 Panel::Panel(const Point& low, const Point& high, double left, double top, double width,
              double height)
     : centre_(left + width / 2, top + height / 2), middle_(0.5 * (low + high)) {

@@ -9,12 +9,21 @@
 
 namespace c1mesh {
 
+/// An axis-aligned rectangle of the plane.
+struct Box {
+  Point low = Point::Zero(), high = Point::Zero();
+};
+
+/// The smallest box around points.
+Box box_of(const std::vector<Point>& points);
+
 /// Where a plane lands on the page: fitted into a rectangle, centred, y turned downward.
 class Panel {
  public:
   /// Fits the box low..high into (left, top, width, height), all in pixels.
   Panel(const Point& low, const Point& high, double left, double top, double width, double height);
   Point place(const Point& p) const;
+  double scale() const { return scale_; }  ///< pixels per unit
 
  private:
   Point centre_, middle_;

@@ -113,6 +113,101 @@ TEST(Svg, SameResultSameBytes) {
   EXPECT_EQ(draw_svg(result), draw_svg(result));
 }
 
+Point first_point(const pugi::xml_document& doc, const std::string& group, const std::string& css) {
+  return path_points(path_of(doc, group, css)).at(0);
+}
+
+TEST(Svg, PartsAreDrawnInTheirOrder) {
+  DrawOptions options;
+  options.parts = {Part::domain, Part::outline, Part::mesh};
+  Result result = example::grid(2, 3, example::cubic_map());
+  result.exceptional_vertices = {0};
+  result.relaxed_edges = {{0, 4}};
+  const auto doc = parsed(draw_svg(result, options));
+  const auto left = [&](const char* group) { return first_point(doc, group, "boundary").x(); };
+  EXPECT_LT(left("domain"), left("outline"));
+  EXPECT_LT(left("outline"), left("mesh"));
+  for (const char* css : {"u", "v", "mesh", "relaxed"}) {
+    EXPECT_TRUE(path_of(doc, "outline", css).empty()) << css;
+    EXPECT_FALSE(path_of(doc, "domain", css).empty()) << css;
+  }
+  EXPECT_FALSE(path_of(doc, "mesh", "mesh").empty());
+  EXPECT_TRUE(path_of(doc, "mesh", "u").empty());
+  EXPECT_EQ(doc.select_nodes("//circle").size(), 2u);  // none on the outline
+  EXPECT_FALSE(doc.select_node("//g[@id='shape']"));
+}
+
+TEST(Svg, SeveralResultsAreBlocksInRows) {
+  Result a = example::square(), b = example::grid(2, 3, example::cubic_map()), c = a;
+  a.name = "first";
+  DrawOptions options;
+  options.columns = 2;
+  options.parts = {Part::domain};
+  const auto doc = parsed(
+      draw_svg({{&a, "", nullptr}, {&b, "the <second>", nullptr}, {&c, "c", nullptr}}, options));
+  const Point one = first_point(doc, "domain", "boundary"),
+              two = first_point(doc, "domain-2", "boundary"),
+              three = first_point(doc, "domain-3", "boundary");
+  EXPECT_NEAR(two.x() - one.x(), (1200 - 28) / 2.0, 1e-2);
+  EXPECT_NEAR(two.y(), one.y(), 1e-2);
+  EXPECT_NEAR(three.x(), one.x(), 1e-2);
+  EXPECT_GT(three.y(), one.y() + 500);
+  std::vector<std::string> titles;
+  for (const auto& node : doc.select_nodes("//text[@font-weight]"))
+    titles.push_back(node.node().text().get());
+  EXPECT_EQ(titles, (std::vector<std::string>{"first", "the <second>", "c"}));
+  EXPECT_THROW(draw_svg(std::vector<Drawn>{}, options), std::invalid_argument);
+}
+
+// The window is centred where the vertex is and magnified as the text says; a vertex that the
+// domain drawn over has moved is found.
+TEST(Svg, BlowUpIsAroundItsVertex) {
+  const Result result = example::grid(3, 3, example::identity());
+  Result moved = result;
+  const int vertex = 2;
+  moved.domain_vertices[vertex] += Point(0.01, 0.01);
+  DrawOptions options;
+  options.parts = {Part::domain};
+  options.zoom = Zoom{vertex, 0.25};
+  const std::vector<Drawn> drawn{{&result, "", &moved}};
+  const std::string svg = draw_svg(drawn, options);
+  const auto doc = parsed(svg);
+  EXPECT_FALSE(path_of(doc, "domain", "over").empty());
+  const auto frames = doc.select_nodes("//rect[@class='window']");
+  ASSERT_EQ(frames.size(), 2u);
+  const double small = frames[0].node().attribute("width").as_double(),
+               large = frames[1].node().attribute("width").as_double();
+  const double panel = (1200 - 3 * 28) / 2.0;
+  EXPECT_NEAR(large, panel, 0.1);
+  EXPECT_NEAR(small, 0.25 * panel, 0.1);  // the domain is the unit square
+  EXPECT_NEAR(frames[0].node().attribute("x").as_double() + small / 2, 28 + panel * 2 / 3, 0.1);
+  // The vertex is near the lower side, so the window is moved up to it: the panel ends there.
+  EXPECT_NEAR(frames[0].node().attribute("y").as_double() + small, 58 + panel, 0.1);
+  EXPECT_NE(svg.find(">4 times<"), std::string::npos);
+  options.zoom->vertex = Zoom::kApart;
+  EXPECT_EQ(draw_svg(drawn, options), svg);
+  options.zoom->vertex = static_cast<int>(result.domain_vertices.size());
+  EXPECT_THROW(draw_svg(drawn, options), std::invalid_argument);
+  options.zoom->vertex = Zoom::kApart;
+  EXPECT_THROW(draw_svg(result, options), std::invalid_argument);
+}
+
+TEST(Svg, ResultThatClaimsNothingHasNoMarks) {
+  Result result = example::grid(2, 3, example::cubic_map());
+  result.relaxed_edges = {{4, 5}};
+  for (int v = 0; v < static_cast<int>(result.domain_vertices.size()); ++v)
+    result.exceptional_vertices.push_back(v);
+  const std::string svg = draw_svg(result);
+  EXPECT_NE(svg.find("C1 claimed nowhere"), std::string::npos);
+  const auto doc = parsed(svg);
+  EXPECT_EQ(doc.select_nodes("//circle").size(), 0u);
+  EXPECT_TRUE(path_of(doc, "domain", "relaxed").empty());
+  EXPECT_EQ(doc.select_nodes("//g[@id='domain']/path[@class='mesh']").size(), 2u);
+  result.exceptional_vertices.pop_back();
+  EXPECT_EQ(parsed(draw_svg(result)).select_nodes("//circle").size(),
+            2 * result.exceptional_vertices.size());
+}
+
 TEST(Convert, GoesByExtension) {
   const Result result = example::square();
   EXPECT_EQ(convert(result, "a/b.vtu"), format_vtu(result, false));
