@@ -35,9 +35,11 @@ Status project_file(Console& console, const ProjectArguments& arguments, OutputN
   create_folder(arguments.folder);
   deliver(file, format_result(projection.result));
   console.say(fmt::format(
-      "{}: residue {:.2e} -> {:.2e}, a control point moved by {:.2e} of the extent; {}: {}",
+      "{}: residue {:.2e} -> {:.2e}, a control point moved by {:.2e} of the extent, {} domain "
+      "vertices "
+      "made singular; {}: {}",
       printable(path), projection.before, projection.after, projection.largest_move,
-      printable(file),
+      projection.singular, printable(file),
       report.valid()
           ? console.coloured(Tone::good, "valid")
           : console.coloured(Tone::warning, "valid, but") + "\n" + item_lines(console, report)));

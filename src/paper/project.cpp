@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "c1mesh/error.h"
+#include "domain/start.h"
 #include "linear/least_move.h"
 #include "mesh/topology.h"
 #include "optimise/c1_system.h"
+#include "paper/singular.h"
 
 namespace c1mesh {
 namespace {
@@ -81,6 +84,25 @@ std::pair<double, double> move_onto(const RowMatrix& A, std::vector<Point>& cont
   return {before, after};
 }
 
+// Those inside; the domain's boundary and its features keep their shape.
+std::vector<char> movable_vertices(const Result& result, const MeshTopology& topology) {
+  std::vector<char> out(result.domain_vertices.size(), 1);
+  for (std::size_t v = 0; v < out.size(); ++v)
+    if (topology.on_boundary[v]) out[v] = 0;
+  for (const CurveEdge& e : result.feature_edges) out[e.a] = out[e.b] = 0;
+  return out;
+}
+
+// All control points are free and weigh the same: the projection is orthogonal.
+void project_over(const std::vector<C1Edge>& edges, const PointMatrix& domain,
+                  const std::vector<Point>& start, Projection& out) {
+  std::vector<Point>& control = out.result.control_points;
+  const RowMatrix A = c1_matrix(edges, domain, static_cast<int>(control.size()));
+  std::tie(out.before, out.after) = move_onto(A, control);
+  for (std::size_t k = 0; k < control.size(); ++k)
+    out.largest_move = std::max(out.largest_move, (control[k] - start[k]).norm());
+}
+
 void set_parameter(Parameters& parameters, const std::string& name, const ParameterValue& value) {
   for (auto& [key, old] : parameters)
     if (key == name) {
@@ -102,22 +124,31 @@ void set_parameter(Parameters& parameters, const std::string& name, const Parame
 
 Projection project(const Result& result, double conformance_bound) {
   const CurvedMesh mesh = mesh_of(result);
-  PointMatrix domain(mesh.vertex_count(), 2);
-  for (int v = 0; v < mesh.vertex_count(); ++v) domain.row(v) = mesh.domain[v].transpose();
   for (const auto& t : mesh.triangles)
     if (!(cross(mesh.domain[t[1]] - mesh.domain[t[0]], mesh.domain[t[2]] - mesh.domain[t[0]]) > 0))
       fail_on_domain();
-  Projection out{result};
-  // All control points are free and weigh the same: the projection is orthogonal.
-  std::vector<Point>& control = out.result.control_points;
-  const RowMatrix A =
-      c1_matrix(asked_edges(result, mesh), domain, static_cast<int>(control.size()));
+  const MeshTopology topology(mesh);
+  const std::vector<char> movable = movable_vertices(result, topology);
+  const std::vector<C1Edge> edges = asked_edges(result, mesh);
   const double extent = extent_of(result);
-  const auto [before, after] = move_onto(A, control);
-  out.before = before / extent;
-  out.after = after / extent;
-  for (std::size_t k = 0; k < control.size(); ++k)
-    out.largest_move = std::max(out.largest_move, (control[k] - mesh.control[k]).norm() / extent);
+  Projection out;
+  for (double tolerance : {0.0, 1e-6, 1e-5, 1e-4, 1e-3}) {
+    Projection trial{result};
+    PointMatrix domain = domain_points(mesh);
+    if (tolerance > 0) trial.singular = make_singular(mesh, topology, movable, tolerance, domain);
+    if (tolerance > 0 && trial.singular == out.singular) continue;
+    for (int v = 0; v < mesh.vertex_count(); ++v)
+      trial.result.domain_vertices[v] = domain.row(v).transpose();
+    project_over(edges, domain, mesh.control, trial);
+    // Exactness first; a move is not worth it for an equation less exact.
+    const auto rank = [exact_enough = 1e-12 * extent](const Projection& p) {
+      return std::make_pair(p.after > exact_enough, p.largest_move);
+    };
+    if (tolerance == 0 || rank(trial) < rank(out)) out = std::move(trial);
+  }
+  out.before /= extent;
+  out.after /= extent;
+  out.largest_move /= extent;
   set_parameter(out.result.parameters, "projected", true);
   set_parameter(out.result.parameters, "c1_bound", 1e-11);
   set_parameter(out.result.parameters, "conformance_bound", conformance_bound);
