@@ -21,7 +21,7 @@ def need(module, package):
         return importlib.import_module(module)
     except ImportError as error:
         print(f"skipped: no Python module {module} ({error}); Debian has it in {package} "
-              f"(cmake/packages-readers.txt)")
+              f"(cmake/packages-tests.txt)")
         sys.exit(SKIPPED)
 
 
