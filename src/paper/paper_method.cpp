@@ -14,7 +14,8 @@
 namespace c1mesh {
 namespace {
 
-constexpr double kRoom = 1.05;  // of a bound above what it bounds at first
+constexpr double kRepetition = 1e-3;  // of the first smoothing, in repetitions
+constexpr double kRoom = 1.05;        // of a bound above what it bounds at first
 
 double extent_of(const std::vector<Point>& points) {
   Point low = points.front(), high = low;
@@ -93,7 +94,9 @@ class PaperMethod {
     out.weights.regularisation = p.regularisation[phase] * unit;
     out.weights.hard_penalty = p.hard_penalty[phase];
     out.weights.barrier = p.barrier / unit;
-    out.smoothing[0] = p.smoothing[0] * extent_;
+    // A repetition starts near a minimum: as smooth norms as at first would lead away from it.
+    const double first = pass_ > 1 ? kRepetition * p.smoothing[0] : p.smoothing[0];
+    out.smoothing[0] = std::max(first, p.smoothing[1]) * extent_;
     out.smoothing[1] = p.smoothing[1] * extent_;
     out.iterations = p.iterations[phase];
     out.domain_free = phase == 0;
