@@ -85,8 +85,4 @@ Eigen::MatrixXd LeastMove::solve(const Eigen::MatrixXd& right) const {
   return out;
 }
 
-int LeastMove::rank() const {
-  return static_cast<int>(state_->factor->rank);
-}
-
 }  // namespace c1mesh

@@ -23,7 +23,6 @@ class LeastMove {
 
   /// One right side a column. Throws std::bad_alloc if memory does not suffice.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
-  int rank() const;
 
  private:
   struct State;

@@ -30,11 +30,6 @@ Point row(const PointMatrix& points, int r) {
   return points.row(r).transpose();
 }
 
-Eigen::Vector3d edge_barycentric(const C1Edge& e, const PointMatrix& domain) {
-  return barycentric(row(domain, e.vertex[0]), row(domain, e.vertex[1]), row(domain, e.vertex[2]),
-                     row(domain, e.vertex[3]));
-}
-
 }  // namespace
 
 std::vector<C1Edge> c1_edges(const CurvedMesh& mesh) {
@@ -99,6 +94,11 @@ Eigen::Vector3d barycentric(const Point& v0, const Point& v1, const Point& v2, c
   const double area = cross(a, b);
   const double g1 = cross(c, b) / area, g2 = cross(a, c) / area;
   return {1 - g1 - g2, g1, g2};
+}
+
+Eigen::Vector3d edge_barycentric(const C1Edge& e, const PointMatrix& domain) {
+  return barycentric(row(domain, e.vertex[0]), row(domain, e.vertex[1]), row(domain, e.vertex[2]),
+                     row(domain, e.vertex[3]));
 }
 
 Eigen::Matrix<double, 2, 8> barycentric_derivative(const Point& v0, const Point& v1,

@@ -37,6 +37,9 @@ std::vector<C1Edge> joint_equations(const CurvedMesh& mesh, const Joints& joints
 /// Barycentric coordinates of v3 in (v0, v1, v2): (g0, g1, g2); g2 < 0 in a valid mesh.
 Eigen::Vector3d barycentric(const Point& v0, const Point& v1, const Point& v2, const Point& v3);
 
+/// The same of an edge's vertices over the domain.
+Eigen::Vector3d edge_barycentric(const C1Edge& edge, const PointMatrix& domain);
+
 /// d(g1, g2) with respect to the coordinates of v0 … v3 (2 x 8); g0 = 1 - g1 - g2.
 Eigen::Matrix<double, 2, 8> barycentric_derivative(const Point& v0, const Point& v1,
                                                    const Point& v2, const Point& v3);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/extent.h"
 #include "domain/start.h"
 #include "mesh/topology.h"
 #include "optimise/stages.h"
@@ -16,15 +17,7 @@ namespace {
 
 constexpr double kRepetition = 1e-3;  // of the first smoothing, in repetitions
 constexpr double kRoom = 1.05;        // of a bound above what it bounds at first
-
-double extent_of(const std::vector<Point>& points) {
-  Point low = points.front(), high = low;
-  for (const Point& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return (high - low).maxCoeff();
-}
+constexpr int kReleases = 3;          // rounds of giving up what phase two misses
 
 std::vector<char> branch_points(const CurvedMesh& initial, const Joints& joints) {
   std::vector<char> out(initial.vertex_count(), 0);
@@ -34,12 +27,9 @@ std::vector<char> branch_points(const CurvedMesh& initial, const Joints& joints)
   return out;
 }
 
-constexpr int kReleases = 3;  // rounds of giving up what phase two misses
-
 // The largest d_ei of an edge, from whichever side it is larger: they differ by the factor gamma_2.
 double largest_deviation(const C1Edge& e, const Pair& state) {
-  const auto v = [&](int k) -> Point { return state.domain.row(e.vertex[k]).transpose(); };
-  const Eigen::Vector3d gamma = barycentric(v(0), v(1), v(2), v(3));
+  const Eigen::Vector3d gamma = edge_barycentric(e, state.domain);
   double largest = 0;
   for (int i = 0; i < e.equations(); ++i)
     largest = std::max(largest, c1_residue(e, i, gamma, state.control).norm());

@@ -15,13 +15,8 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-Eigen::Vector3d gamma_of(const C1Edge& e, const PointMatrix& domain) {
-  const auto v = [&](int k) -> Point { return domain.row(e.vertex[k]).transpose(); };
-  return barycentric(v(0), v(1), v(2), v(3));
-}
-
 double deviation(const C1Edge& e, const Pair& state) {
-  const Eigen::Vector3d gamma = gamma_of(e, state.domain);
+  const Eigen::Vector3d gamma = edge_barycentric(e, state.domain);
   double sum = 0;
   for (int i = 0; i < e.equations(); ++i) sum += c1_residue(e, i, gamma, state.control).norm();
   return sum;
@@ -92,10 +87,9 @@ Eigen::Matrix2d PaperObjective::edges_of(int t, const Pair& state) const {
 
 double PaperObjective::triangle_value(int t, const Pair& state) const {
   const Net net = net_at(t, state);
-  const double g = barrier_.distortion(net, edges_of(t, state));
-  if (!(g < weights.bound)) return kInfinite;
-  return weights.regularisation * regularisers_[t].value(net) -
-         weights.barrier * std::log(weights.bound - g);
+  const double barrier = barrier_.value(net, edges_of(t, state), weights.bound);
+  if (!std::isfinite(barrier)) return kInfinite;
+  return weights.regularisation * regularisers_[t].value(net) + weights.barrier * barrier;
 }
 
 PaperObjective::Local PaperObjective::triangle_terms(int t, const Pair& state) const {
@@ -132,7 +126,7 @@ PaperObjective::Local PaperObjective::triangle_terms(int t, const Pair& state) c
 }
 
 double PaperObjective::edge_value(const C1Edge& e, const Pair& state) const {
-  const Eigen::Vector3d gamma = gamma_of(e, state.domain);
+  const Eigen::Vector3d gamma = edge_barycentric(e, state.domain);
   double sum = 0;
   for (int i = 0; i < e.equations(); ++i)
     sum += SmoothNorm::at(c1_residue(e, i, gamma, state.control), weights.smoothing);
@@ -151,7 +145,7 @@ PaperObjective::Local PaperObjective::edge_terms(const C1Edge& e, double weight,
   local.gradient = Eigen::VectorXd::Zero(2 * points);
   local.hessian = Eigen::MatrixXd::Zero(2 * points, 2 * points);
   const auto v = [&](int k) -> Point { return state.domain.row(e.vertex[k]).transpose(); };
-  const Eigen::Vector3d gamma = barycentric(v(0), v(1), v(2), v(3));
+  const Eigen::Vector3d gamma = edge_barycentric(e, state.domain);
   const Eigen::Matrix<double, 2, 8> slope = barycentric_derivative(v(0), v(1), v(2), v(3));
   for (int i = 0; i < n; ++i) {
     const Point base = state.control[e.edge[i]];

@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/extent.h"
 #include "c1mesh/error.h"
 #include "domain/start.h"
 #include "linear/least_move.h"
@@ -16,15 +17,6 @@ namespace c1mesh {
 namespace {
 
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
-double extent_of(const Result& result) {
-  Point low = result.control_points.front(), high = low;
-  for (const Point& p : result.control_points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return (high - low).maxCoeff();
-}
 
 // As much of the mesh as the equations need.
 CurvedMesh mesh_of(const Result& result) {
@@ -130,7 +122,7 @@ Projection project(const Result& result, double conformance_bound) {
   const MeshTopology topology(mesh);
   const std::vector<char> movable = movable_vertices(result, topology);
   const std::vector<C1Edge> edges = asked_edges(result, mesh);
-  const double extent = extent_of(result);
+  const double extent = extent_of(result.control_points);
   Projection out;
   for (double tolerance : {0.0, 1e-6, 1e-5, 1e-4, 1e-3}) {
     Projection trial{result};

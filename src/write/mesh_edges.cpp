@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "base/extent.h"
+
 namespace c1mesh {
 namespace {
 
@@ -69,12 +71,7 @@ std::vector<DrawnEdge> edges_of(const PiecewiseMap& map) {
 
 double extent_of(const Result& result) {
   if (result.control_points.empty()) return 1;
-  Point low = result.control_points[0], high = low;
-  for (const Point& p : result.control_points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double side = (high - low).maxCoeff();
+  const double side = extent_of(result.control_points);
   return side > 0 ? side : 1;
 }
 
