@@ -53,12 +53,21 @@ struct Options {
   double corner_angle = 8;  ///< degrees: a joint that turns by more is a corner
   int threads = 0;          ///< 0: as many as there are cores; the result does not depend on it
   std::uint64_t seed = 1;
-  double time_limit = 0;   ///< seconds; 0: none
-  int repeat = 1;          ///< paper's method: how often phases one and two are run
-  bool project = false;    ///< afterwards onto the C1 space, boundary and all (paper, section 5.4)
-  double c1_bound = 1e-4;  ///< paper's method: d_ei, relative to the extent, that is asked
+  double time_limit = 0;  ///< seconds; 0: none
+  int repeat = 1;         ///< paper's method: how often phases one and two are run
+  bool project = false;   ///< afterwards onto the C1 space, boundary and all (paper, section 5.4)
+  /// Every d_ei relative to the extent is asked to be at most this, with nothing for rounding;
+  /// 0: to rounding, and for the paper's method 1e-4.
+  double c1_bound = 0;
   PaperOptions paper;
 };
+
+/// The bound of d_ei that is asked, relative to the extent; 0: to rounding.
+inline double c1_asked(const Options& options) {
+  constexpr double kOfThePaper = 1e-4;
+  if (options.c1_bound > 0) return options.c1_bound;
+  return options.method == Method::paper ? kOfThePaper : 0;
+}
 
 /// The largest g(t) that is asked: alpha mips_bound, in the paper's method with alpha as lifted.
 double distortion_asked(const Options& options);

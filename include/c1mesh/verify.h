@@ -2,26 +2,20 @@
 // An independent look at a result: nothing here is shared with the code that made it.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "c1mesh/certificate.h"
 #include "c1mesh/result.h"
 #include "c1mesh/shape.h"
 
 namespace c1mesh {
 
-enum class Verdict { valid, invalid, undecided };
-
-/// One thing that was looked at.
-struct VerifyItem {
-  std::string name;  ///< "topology", "coverage", "conformance", "boundary simple",
-                     ///< "domain orientation", "regularity", "C1", "exceptional vertices", …
-  Verdict verdict = Verdict::undecided;
-  std::string message;  ///< what was found, with ids
-};
-
 struct VerifyOptions {
   double c1_tolerance = 1e-11;  ///< on d_ei relative to the extent, plus coordinate rounding
+  /// Where finite, instead of that: every d_ei relative to the extent, and nothing for rounding.
+  double c1_bound = std::numeric_limits<double>::infinity();
   double conformance_tolerance = 1e-13;  ///< relative to the extent, plus coordinate rounding
   int max_subdivision = 60;              ///< depth of bisection before rationals decide
 };
@@ -43,6 +37,7 @@ struct VerifyReport {
   std::vector<VerifyItem> items;
   Metrics metrics;  ///< recomputed from the result alone (`seconds` is empty)
   Samples samples;
+  Certificate certificate;  ///< what was proven and how
 
   bool regular() const;  ///< every triangle certified, domain orientation exact
   bool conforming() const;
@@ -55,6 +50,11 @@ VerifyReport verify(const Result& result, const VerifyOptions& options = {});
 
 /// As above, and that the result's curves are those of `input` (up to the repairs it states).
 VerifyReport verify(const Result& result, const Shape& input, const VerifyOptions& options = {});
+
+/// Checks `certificate` instead of searching for proofs: each of its proofs must hold of `result`,
+/// and each of its bounds. Adds an item "certificate".
+VerifyReport recheck(const Result& result, const Certificate& certificate,
+                     const VerifyOptions& options = {});
 
 /// The report for people: one line per item, then the metrics.
 std::string report_text(const VerifyReport& report);

@@ -94,6 +94,11 @@ void create_folder(const std::string& path) {
                                  error ? error.message() : ""));
 }
 
+void create_folder_of(const std::string& file) {
+  const std::size_t slash = file.find_last_of('/');
+  if (slash != std::string::npos && slash > 0) create_folder(file.substr(0, slash));
+}
+
 std::string OutputNames::claim(const std::string& wanted) {
   std::string name = safe_name(wanted);
   if (taken_.insert(name).second) return name;

@@ -51,6 +51,9 @@ void deliver(const std::string& path, const std::string& text);
 /// Creates the folder with its parents. Throws WriteError.
 void create_folder(const std::string& path);
 
+/// Creates the folder that the file is to be in, if its path names one. Throws WriteError.
+void create_folder_of(const std::string& file);
+
 /// `wanted` without separators and control characters, not empty, not hidden, not like an option.
 std::string safe_name(const std::string& wanted);
 

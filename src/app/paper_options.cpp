@@ -99,11 +99,6 @@ void add_paper_options(CLI::App& cli, Options& options) {
                                             {"two", PaperStage::phase_two}}))
       ->default_str("two")
       ->group(kGroup);
-  cli.add_option("--c1-bound", options.c1_bound,
-                 "d_ei asked for, relative to the larger side of the shape")
-      ->capture_default_str()
-      ->group(kGroup)
-      ->check(above(0));
 }
 
 }  // namespace c1mesh::app

@@ -20,16 +20,25 @@ struct OutputFile {
 };
 
 // All texts exist before the first file does: what can fail fails first.
-std::vector<OutputFile> output_files(const RunOptions& options, const Result& result) {
+std::vector<OutputFile> output_files(const RunOptions& options, const Outcome& outcome) {
+  const Result& result = outcome.result;
   const std::string& folder = options.folder;
-  if (folder == "-") return {{"-", format_result(result)}};
+  std::vector<OutputFile> files;
+  if (!options.certificate.empty())
+    files.push_back({options.certificate, format_certificate(outcome.report.certificate)});
+  if (folder == "-") {
+    files.push_back({"-", format_result(result)});
+    return files;
+  }
   const std::string stem = folder + "/" + result.name;
-  std::vector<OutputFile> files = {{stem + ".c1.json", format_result(result)}};
+  files.push_back({stem + ".c1.json", format_result(result)});
   if (options.wants("svg")) files.push_back({stem + ".svg", draw_svg(result, {})});
   for (const char* mesh : {"vtu", "msh", "mesh"})
     if (options.wants(mesh))
       for (const char* part : {".", ".domain."})
         files.push_back({stem + part + mesh, convert(result, stem + part + mesh)});
+  if (options.wants("cert"))
+    files.push_back({stem + ".cert.json", format_certificate(outcome.report.certificate)});
   if (options.wants("obj")) files.push_back({stem + ".obj", format_obj(result)});
   return files;
 }
@@ -43,9 +52,10 @@ std::vector<std::string> deliver_all(const std::vector<OutputFile>& files) {
   return paths;
 }
 
-std::vector<std::string> write_outputs(const RunOptions& options, const Result& result) {
-  const std::vector<OutputFile> files = output_files(options, result);
+std::vector<std::string> write_outputs(const RunOptions& options, const Outcome& outcome) {
+  const std::vector<OutputFile> files = output_files(options, outcome);
   if (options.folder != "-") create_folder(options.folder);
+  create_folder_of(options.certificate);
   return deliver_all(files);
 }
 
@@ -108,7 +118,7 @@ DrawingRun run_drawing(Console& console, const RunOptions& run_options, const st
   console.clear_bar();
   refuse_uncertified(console, options, outcome);
   DrawingRun run;
-  run.files = write_outputs(run_options, outcome.result);
+  run.files = write_outputs(run_options, outcome);
   run.metrics = outcome.result.metrics;
   run.remedies = outcome.remedies;
   run.missed = missed_bounds(outcome, options);

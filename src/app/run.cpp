@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <stdexcept>
 
 #include "app/command.h"
 #include "app/inputs.h"
@@ -24,6 +25,7 @@ struct Run {
   const RunArguments& arguments;
   OutputNames names;
   std::vector<TraceLine> trace = {};
+  std::string certified = {};  ///< the shape whose certificate was asked for as a file
 };
 
 void choose_name(Run& run, const std::string& input, Drawing& drawing) {
@@ -33,6 +35,17 @@ void choose_name(Run& run, const std::string& input, Drawing& drawing) {
     run.console.say(
         printable(fmt::format("{}: '{}' is taken or no file name; the result is named '{}'", input,
                               wanted, drawing.name)));
+}
+
+// A file holds one certificate: a second shape must not take the place of the first.
+void reserve_certificate(Run& run, const std::string& shape) {
+  const std::string& path = run.arguments.options.certificate;
+  if (path.empty()) return;
+  if (!run.certified.empty())
+    throw std::invalid_argument(fmt::format(
+        "{} is for the certificate of '{}'; --formats json,cert writes one for every shape", path,
+        run.certified));
+  run.certified = shape;
 }
 
 // Empty unless a trace was asked for: a run that nobody watches does not stop to measure.
@@ -46,8 +59,7 @@ Status write_trace(const Run& run) {
   const std::string& path = run.arguments.trace;
   if (path.empty()) return Status::ok;
   return guarded(run.console, path, [&] {
-    const std::size_t slash = path.find_last_of('/');
-    if (slash != std::string::npos && slash > 0) create_folder(path.substr(0, slash));
+    create_folder_of(path);
     deliver(path, format_trace(run.trace));
     run.console.say(fmt::format("trace: {}, {} iterations", printable(path), run.trace.size()));
     return Status::ok;
@@ -61,6 +73,7 @@ Status run_input(Run& run, const Input& input) {
     const std::string label = input.label + " (" + drawing.name + ")";
     status = worse(status, guarded(run.console, label, [&] {
                      choose_name(run, input.label, drawing);
+                     reserve_certificate(run, drawing.name);
                      return run_drawing(run.console, run.arguments.options, input.label, drawing,
                                         tracer(run, drawing.name))
                          .status;
@@ -99,6 +112,8 @@ Command add_run(CLI::App& app) {
                   "Folder for NAME.c1.json and the rest; -: the JSON alone to standard output")
       ->required();
   add_run_options(*cli, arguments->options);
+  cli->add_option("--certificate", arguments->options.certificate,
+                  "Also this file: what was proven and how, for c1mesh verify --certificate");
   cli->add_option("--trace", arguments->trace,
                   "Also this file, one JSON object per iteration; c1mesh draw makes a plot of it")
       ->check([](const std::string& path) {

@@ -38,6 +38,10 @@ void add_method_options(CLI::App& cli, Options& options) {
                  "At most so many times the triangles, for as low a g as that gives (1: none). "
                  "Without it: up to twice, while g exceeds 20")
       ->check(at_least(1));
+  cli.add_option("--c1-bound", options.c1_bound,
+                 "The certified bound of every d_ei, relative to the larger side of the shape, is "
+                 "asked to be at most this. Without it: to rounding, with --method paper 1e-4")
+      ->check(above(0));
   cli.add_flag("--no-overlap", options.no_overlap,
                "The domain must not overlap itself in the plane");
   cli.add_option("--corner-angle", options.corner_angle,
@@ -66,11 +70,12 @@ void add_together(CLI::App& cli, ReadOptions& options) {
 }
 
 void add_run_options(CLI::App& cli, RunOptions& options) {
-  cli.add_option("--formats", options.formats, "json (always written), svg, vtu, msh, mesh, obj")
+  cli.add_option("--formats", options.formats,
+                 "json (always written), svg, vtu, msh, mesh, obj, cert")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str()
-      ->check(CLI::IsMember({"json", "svg", "vtu", "msh", "mesh", "obj"}));
+      ->check(CLI::IsMember({"json", "svg", "vtu", "msh", "mesh", "obj", "cert"}));
   add_together(cli, options.read);
   cli.add_flag("--trade-off", options.trade_off,
                "Also NAME.tradeoff.json and .svg: g against the number of exceptional vertices");

@@ -16,6 +16,7 @@ namespace c1mesh::app {
 struct RunOptions {
   std::string folder;  ///< of the output; "-" (`run` only): the JSON alone to standard output
   std::vector<std::string> formats = {"json", "svg"};
+  std::string certificate;  ///< a file for the certificate (`run` only); empty: none
   bool trade_off = false;
   ReadOptions read;
   Options options;

@@ -42,18 +42,6 @@ std::string verdict_row(const Console& console, const Outcome& outcome, const Op
   return fmt::format("\n  {:<22}{}", "verdict", text);
 }
 
-const char* name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::valid:
-      return "valid";
-    case Verdict::invalid:
-      return "INVALID";
-    case Verdict::undecided:
-      return "undecided";
-  }
-  return "unknown";
-}
-
 Tone tone_of(Verdict verdict) {
   return verdict == Verdict::valid     ? Tone::good
          : verdict == Verdict::invalid ? Tone::bad

@@ -16,6 +16,8 @@ namespace {
 struct VerifyArguments {
   std::vector<std::string> results;
   std::string input;
+  std::string certificate;  // to be followed; empty: proofs are searched for
+  std::string written;      // file for a new certificate, empty: none
   ReadOptions read;
 };
 
@@ -29,17 +31,34 @@ Shape input_shape(const VerifyArguments& arguments, const Result& result) {
                               drawings.size(), result.name));
 }
 
+VerifyReport examine(const VerifyArguments& arguments, const Result& result) {
+  const VerifyOptions bounds = claimed_bounds(result);
+  if (!arguments.certificate.empty())
+    return recheck(result, read_certificate(arguments.certificate), bounds);
+  if (arguments.input.empty()) return verify(result, bounds);
+  return verify(result, input_shape(arguments, result), bounds);
+}
+
+// Of a result that is not regular there is nothing to certify.
+void write_certificate(Console& console, const std::string& path, const VerifyReport& report) {
+  if (!report.regular()) {
+    console.error("no certificate was written: not every triangle is proven to be regular");
+    return;
+  }
+  create_folder_of(path);
+  deliver(path, format_certificate(report.certificate));
+  console.say(fmt::format("certificate: {}", printable(path)));
+}
+
 Status verify_file(Console& console, const VerifyArguments& arguments, const std::string& path) {
   const Result result = read_result(path);
-  const VerifyOptions bounds = claimed_bounds(result);
-  const VerifyReport report = arguments.input.empty()
-                                  ? verify(result, bounds)
-                                  : verify(result, input_shape(arguments, result), bounds);
+  const VerifyReport report = examine(arguments, result);
   const bool valid = report.valid();
   console.say(fmt::format(
       "{}: {}\n{}", printable(path),
       valid ? console.coloured(Tone::good, "valid") : console.coloured(Tone::bad, "NOT certified"),
       item_lines(console, report)));
+  if (!arguments.written.empty()) write_certificate(console, arguments.written, report);
   return valid ? Status::ok : Status::bound_missed;
 }
 
@@ -58,7 +77,19 @@ Command add_verify(CLI::App& app) {
   CLI::App* cli = app.add_subcommand("verify", "Certify result files from their data alone");
   cli->add_option("RESULT", arguments->results, "NAME.c1.json files")->required();
   cli->add_option("--input", arguments->input, "Also compare with the shape they were made of");
+  CLI::Option* given =
+      cli->add_option("--certificate", arguments->certificate,
+                      "Check the proofs of this certificate instead of searching for them");
+  cli->add_option("--write-certificate", arguments->written,
+                  "Also this file: what was proven and how")
+      ->excludes(given);
   cli->add_flag("--together", arguments->read.together, "The input was taken as one arrangement");
+  given->excludes("--input");
+  cli->final_callback([arguments] {
+    const bool certificate = !arguments->certificate.empty() || !arguments->written.empty();
+    if (certificate && arguments->results.size() > 1)
+      throw CLI::ValidationError("RESULT", "a certificate is of one result: name one");
+  });
   return {cli, [arguments](Console& console) { return verify_files(console, *arguments); }};
 }
 

@@ -159,7 +159,7 @@ class PaperMethod {
     int released = 0;
     for (const auto* edges : {&asked.soft, &asked.hard})
       for (const C1Edge& e : *edges) {
-        if (largest_deviation(e, out_.state) <= options_.c1_bound * extent_) continue;
+        if (largest_deviation(e, out_.state) <= c1_asked(options_) * extent_) continue;
         for (int v : {e.vertex[0], e.vertex[1]})
           if (on_curve[v] && !out_.exceptional[v]) {
             out_.exceptional[v] = 1;

@@ -104,6 +104,14 @@ void set_parameter(Parameters& parameters, const std::string& name, const Parame
   parameters.emplace_back(name, value);
 }
 
+// A claim that is tighter already stays.
+void tighten_parameter(Parameters& parameters, const std::string& name, double value) {
+  for (const auto& [key, old] : parameters)
+    if (const auto* bound = std::get_if<double>(&old); key == name && bound && *bound < value)
+      return;
+  set_parameter(parameters, name, value);
+}
+
 [[noreturn]] void fail_on_domain() {
   Defect defect;
   defect.kind = DefectKind::unsupported;
@@ -142,7 +150,7 @@ Projection project(const Result& result, double conformance_bound) {
   out.after /= extent;
   out.largest_move /= extent;
   set_parameter(out.result.parameters, "projected", true);
-  set_parameter(out.result.parameters, "c1_bound", 1e-11);
+  tighten_parameter(out.result.parameters, "c1_bound", 1e-11);
   set_parameter(out.result.parameters, "conformance_bound", conformance_bound);
   return out;
 }

@@ -83,7 +83,6 @@ void place_side_by_side(std::vector<RegionSolution>& regions) {
 
 void add_paper_parameters(const Options& options, Parameters& out) {
   const PaperOptions& p = options.paper;
-  out.emplace_back("c1_bound", options.c1_bound);
   out.emplace_back("repeat", static_cast<long long>(options.repeat));
   out.emplace_back("extent", p.extent);
   out.emplace_back("lambda_reg_one", p.regularisation[0]);
@@ -122,6 +121,7 @@ Result assemble_result(const Shape& shape, const std::vector<RegionSolution>& re
                        {"seed", static_cast<long long>(options.seed)}};
   if (options.refine > 0) result.parameters.emplace_back("refine", options.refine);
   if (options.no_overlap) result.parameters.emplace_back("no_overlap", true);
+  if (c1_asked(options) > 0) result.parameters.emplace_back("c1_bound", c1_asked(options));
   if (options.method == Method::paper) add_paper_parameters(options, result.parameters);
   return result;
 }

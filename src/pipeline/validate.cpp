@@ -35,7 +35,8 @@ void validate(const Options& options) {
   if (options.project && options.method != Method::paper)
     throw std::invalid_argument("project is for the paper's method: the exact one needs none");
   if (options.repeat < 1) throw std::invalid_argument("repeat must be at least 1");
-  if (!(options.c1_bound > 0)) throw std::invalid_argument("c1_bound must be positive");
+  if (!(options.c1_bound >= 0) || !std::isfinite(options.c1_bound))
+    throw std::invalid_argument("c1_bound must not be negative");
   validate(options.paper);
   if (options.threads < 0) throw std::invalid_argument("threads must not be negative");
 }

@@ -3,6 +3,8 @@
 // one counter-clockwise loop per piece, degree theory makes the map of each piece injective: every
 // point has as many preimages as the boundary winds around it, and no pre-image counts negative.
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include "verify/boxes.h"
 #include "verify/checks.h"
@@ -26,26 +28,73 @@ std::vector<Point> backward(std::vector<Point> poles) {
   return poles;
 }
 
-Meeting compare(const BoundaryRow& r, const BoundaryRow& s, int depth) {
+Meeting compare(const BoundaryRow& r, const BoundaryRow& s, ProofTree& tree) {
   if (r.a == s.b && r.b == s.a)
-    return curves_meet(r.poles, backward(s.poles), Shared::both_ends, depth);
-  if (r.b == s.a) return curves_meet(backward(r.poles), s.poles, Shared::start, depth);
-  if (r.a == s.b) return curves_meet(r.poles, backward(s.poles), Shared::start, depth);
+    return curves_meet(r.poles, backward(s.poles), Shared::both_ends, tree);
+  if (r.b == s.a) return curves_meet(backward(r.poles), s.poles, Shared::start, tree);
+  if (r.a == s.b) return curves_meet(r.poles, backward(s.poles), Shared::start, tree);
   for (const Point& p : {r.poles.front(), r.poles.back()})
     for (const Point& q : {s.poles.front(), s.poles.back()})
       if (p == q) return Meeting::meet;
-  return curves_meet(r.poles, s.poles, Shared::none, depth);
+  return curves_meet(r.poles, s.poles, Shared::none, tree);
 }
 
-void check_pairs(const std::vector<BoundaryRow>& rows, int depth, Findings& findings) {
+/// Proofs for pairs of rows, searched for or followed, and those that have splits.
+class PairProofs {
+ public:
+  PairProofs(const Subject& subject, Certificate& certificate, Faults& record)
+      : depth_(subject.options.max_subdivision), made_(certificate), record_(record) {
+    if (!subject.given) return;
+    follows_ = true;
+    for (const PairProof& proof : subject.given->boundary) given_[proof.edges] = proof.marks;
+  }
+
+  /// `look` compares the pair with the tree it is given.
+  template <class Look>
+  Meeting prove(const BoundaryRow& r, const BoundaryRow& s, const Look& look) {
+    const std::array<int, 4> edges{r.a, r.b, s.a, s.b};
+    ProofTree tree = comparison_tree(depth_);
+    if (follows_) follow(edges, tree);
+    const Meeting meeting = look(tree);
+    if (follows_ && (meeting != Meeting::apart || !tree.complete()))
+      record_.add(fmt::format("the proof of the edges ({}, {}) and ({}, {}) does not hold",
+                              edges[0], edges[1], edges[2], edges[3]));
+    if (!tree.marks().empty()) made_.boundary.push_back({edges, tree.marks()});
+    return meeting;
+  }
+
+  /// What was given and never used.
+  void note_unused() {
+    for (const auto& [edges, marks] : given_)
+      record_.add(fmt::format("the edges ({}, {}) and ({}, {}) need no proof", edges[0], edges[1],
+                              edges[2], edges[3]));
+  }
+
+ private:
+  void follow(const std::array<int, 4>& edges, ProofTree& tree) {
+    const auto found = given_.find(edges);
+    tree.follow(found == given_.end() ? ProofMarks() : found->second);
+    if (found != given_.end()) given_.erase(found);
+  }
+
+  int depth_;
+  bool follows_ = false;
+  std::map<std::array<int, 4>, ProofMarks> given_;
+  Certificate& made_;
+  Faults& record_;
+};
+
+void check_pairs(const std::vector<BoundaryRow>& rows, PairProofs& proofs, Findings& findings) {
   std::vector<Box> boxes;
   for (const BoundaryRow& row : rows) boxes.push_back(box_of(row.poles));
   for (const BoundaryRow& row : rows)
-    note(meets_itself(row.poles, depth), fmt::format("edge ({}, {}) meets itself", row.a, row.b),
-         findings);
+    note(proofs.prove(row, row, [&](ProofTree& tree) { return meets_itself(row.poles, tree); }),
+         fmt::format("edge ({}, {}) meets itself", row.a, row.b), findings);
   for (const auto& [i, j] : meeting_pairs(boxes))
     note(
-        compare(rows[i], rows[j], depth),
+        proofs.prove(
+            rows[i], rows[j],
+            [&, &r = rows[i], &s = rows[j]](ProofTree& tree) { return compare(r, s, tree); }),
         fmt::format("edges ({}, {}) and ({}, {}) meet", rows[i].a, rows[i].b, rows[j].a, rows[j].b),
         findings);
 }
@@ -98,7 +147,7 @@ void check_pieces_apart(const Surface& surface, const std::vector<LoopCurves>& l
 
 }  // namespace
 
-VerifyItem check_boundary_simple(const Subject& subject) {
+VerifyItem check_boundary_simple(const Subject& subject, Certificate& certificate, Faults& record) {
   const std::string name = "boundary simple";
   const Surface& surface = subject.surface;
   const int depth = subject.options.max_subdivision;
@@ -114,7 +163,9 @@ VerifyItem check_boundary_simple(const Subject& subject) {
     if (curves.empty()) return {name, Verdict::undecided, "the mesh has no closed boundary"};
     loops.push_back(std::move(curves));
   }
-  check_pairs(rows, depth, findings);
+  PairProofs proofs(subject, certificate, record);
+  check_pairs(rows, proofs, findings);
+  proofs.note_unused();
   std::vector<int> outer;
   check_outer_loops(surface, loops, outer, findings);
   if (findings.crossing.count() == 0) check_pieces_apart(surface, loops, outer, depth, findings);

@@ -8,6 +8,7 @@
 
 #include "verify/checks.h"
 #include "verify/exact.h"
+#include "verify/rounding.h"
 
 namespace c1mesh::verification {
 namespace {
@@ -17,14 +18,10 @@ double ulp(double x) {
   return next - std::abs(x);
 }
 
-/// Distance of one coordinate from its exact value.
-double offset(double x, const Rational& exact) {
-  return std::abs(Rational(exact - Rational(x)).get_d());
-}
-
 }  // namespace
 
-VerifyItem check_conformance(const Subject& subject, Metrics& metrics, Samples& samples) {
+VerifyItem check_conformance(const Subject& subject, Metrics& metrics, Samples& samples,
+                             Certificate& certificate) {
   Faults faults;
   std::map<int, double> by_control;  // a control point at a vertex lies on two curves
   const int n = subject.degree();
@@ -48,19 +45,23 @@ VerifyItem check_conformance(const Subject& subject, Metrics& metrics, Samples& 
     for (int s = 0; s <= n; ++s) {
       const int control = subject.control_id(side.triangle, side.corner, forward ? s : n - s, 0);
       const Point& p = subject.result.control_points[control];
-      const double off = std::hypot(offset(p.x(), exact[s][0]), offset(p.y(), exact[s][1]));
+      const double off =
+          length_above({exact[s][0] - Rational(p.x()), exact[s][1] - Rational(p.y())});
       double& largest = by_control[control];
-      largest = std::max(largest, off / subject.extent);
+      largest = std::max(largest, relative_above(off, subject.extent));
       distance = std::max(distance, off);
       magnitude = std::max({magnitude, std::abs(p.x()), std::abs(p.y())});
     }
-    metrics.conformance_max = std::max(metrics.conformance_max, distance / subject.extent);
+    const double bound = relative_above(distance, subject.extent);
+    metrics.conformance_max = std::max(metrics.conformance_max, bound);
+    certificate.curve_edges.push_back({e.a, e.b, bound});
     const double allowed =
         subject.options.conformance_tolerance * subject.extent + 2 * ulp(magnitude);
     if (!(distance <= allowed))
       faults.add(fmt::format("edge ({}, {}) is {:.3g} of the extent away from curve {}", e.a, e.b,
-                             distance / subject.extent, e.curve));
+                             bound, e.curve));
   }
+  certificate.conformance = metrics.conformance_max;
   for (const auto& [control, off] : by_control) samples.conformance.push_back(off);
   return faults.item("conformance",
                      fmt::format("at most {:.3g} of the extent off the input curves (bound {:.3g})",

@@ -14,8 +14,6 @@ namespace {
 
 using Curve = std::vector<Vec<Interval>>;
 
-constexpr int kMostWork = 20000;  // pieces per pair: far above what curves that keep apart need
-
 Curve enclosed(const std::vector<Point>& poles) {
   Curve curve;
   for (const Point& p : poles) curve.push_back({Interval(p.x()), Interval(p.y())});
@@ -140,15 +138,21 @@ bool cones_apart(const Curve& a, const Curve& b) {
   return false;
 }
 
-/// One comparison of two curves, with a budget for all its pieces.
+/// One comparison of two curves; `tree` has the budget for all its pieces.
 class Comparison {
  public:
-  explicit Comparison(int max_depth) : max_depth_(max_depth) {}
+  explicit Comparison(ProofTree& tree) : tree_(tree) {}
 
   Meeting none(const Curve& a, const Curve& b, int depth) {
-    if (hulls_apart(a, b)) return Meeting::apart;
-    if (certainly_cross(a, b)) return Meeting::meet;
-    if (exhausted(depth)) return Meeting::unknown;
+    bool cross = false;
+    const auto apart = [&] {
+      if (hulls_apart(a, b)) return true;
+      cross = !tree_.follows() && certainly_cross(a, b);
+      return false;
+    };
+    const ProofTree::Step step = tree_.step(depth, apart);
+    if (cross) return Meeting::meet;
+    if (step != ProofTree::Step::split) return end(step);
     const auto pa = halved(a), pb = halved(b);
     return worst([&] { return none(pa[0], pb[0], depth + 1); },
                  [&] { return none(pa[0], pb[1], depth + 1); },
@@ -157,8 +161,8 @@ class Comparison {
   }
 
   Meeting start(const Curve& a, const Curve& b, int depth) {
-    if (cones_apart(a, b)) return Meeting::apart;
-    if (exhausted(depth)) return Meeting::unknown;
+    const ProofTree::Step step = tree_.step(depth, [&] { return cones_apart(a, b); });
+    if (step != ProofTree::Step::split) return end(step);
     const auto pa = halved(a), pb = halved(b);
     return worst([&] { return start(pa[0], pb[0], depth + 1); },
                  [&] { return none(pa[0], pb[1], depth + 1); },
@@ -167,6 +171,8 @@ class Comparison {
   }
 
   Meeting both_ends(const Curve& a, const Curve& b) {
+    const ProofTree::Step step = tree_.step(0, [] { return false; });
+    if (step != ProofTree::Step::split) return end(step);
     const auto pa = halved(a), pb = halved(b);
     return worst([&] { return start(pa[0], pb[0], 1); }, [&] { return none(pa[0], pb[1], 1); },
                  [&] { return none(pa[1], pb[0], 1); },
@@ -174,8 +180,8 @@ class Comparison {
   }
 
   Meeting itself(const Curve& curve, int depth) {
-    if (monotone(curve)) return Meeting::apart;
-    if (exhausted(depth)) return Meeting::unknown;
+    const ProofTree::Step step = tree_.step(depth, [&] { return monotone(curve); });
+    if (step != ProofTree::Step::split) return end(step);
     const auto part = halved(curve);
     return worst([&] { return itself(part[0], depth + 1); },
                  [&] { return itself(part[1], depth + 1); },
@@ -183,7 +189,9 @@ class Comparison {
   }
 
  private:
-  bool exhausted(int depth) { return depth >= max_depth_ || ++work_ > kMostWork; }
+  static Meeting end(ProofTree::Step step) {
+    return step == ProofTree::Step::proven ? Meeting::apart : Meeting::unknown;
+  }
 
   /// The curve moves on along some direction all the time, so it never comes back.
   static bool monotone(const Curve& curve) {
@@ -215,17 +223,17 @@ class Comparison {
     return out;
   }
 
-  int max_depth_, work_ = 0;
+  ProofTree& tree_;
 };
 
 }  // namespace
 
 Meeting curves_meet(const std::vector<Point>& a, const std::vector<Point>& b, Shared shared,
-                    int max_depth) {
+                    ProofTree& tree) {
   // The same curve twice would be subdivided for ever.
   if (a == b || std::equal(a.begin(), a.end(), b.rbegin(), b.rend())) return Meeting::meet;
   const RoundOutward rounding;
-  Comparison comparison(max_depth);
+  Comparison comparison(tree);
   const Curve ca = enclosed(a), cb = enclosed(b);
   switch (shared) {
     case Shared::none:
@@ -238,9 +246,9 @@ Meeting curves_meet(const std::vector<Point>& a, const std::vector<Point>& b, Sh
   return Meeting::unknown;
 }
 
-Meeting meets_itself(const std::vector<Point>& curve, int max_depth) {
+Meeting meets_itself(const std::vector<Point>& curve, ProofTree& tree) {
   const RoundOutward rounding;
-  return Comparison(max_depth).itself(enclosed(curve), 0);
+  return Comparison(tree).itself(enclosed(curve), 0);
 }
 
 Winding winding_around(const std::vector<std::vector<Point>>& loop, const Point& q, int max_depth) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "c1mesh/types.h"
+#include "verify/proof_tree.h"
 
 namespace c1mesh::verification {
 
@@ -15,11 +16,18 @@ enum class Meeting { apart, meet, unknown };
 /// points and their last points. `apart` then means that they have no other.
 enum class Shared { none, start, both_ends };
 
+/// A tree for one comparison: pieces far above what curves that keep apart need.
+inline ProofTree comparison_tree(int max_depth) {
+  return {max_depth, 20000};
+}
+
+/// Where `tree` follows a record, `apart` means that the record proves it; anything else is
+/// `unknown`.
 Meeting curves_meet(const std::vector<Point>& a, const std::vector<Point>& b, Shared shared,
-                    int max_depth);
+                    ProofTree& tree);
 
 /// Does one curve meet itself?
-Meeting meets_itself(const std::vector<Point>& curve, int max_depth);
+Meeting meets_itself(const std::vector<Point>& curve, ProofTree& tree);
 
 /// How often a closed chain of curves winds around q; `known` is false if q is too close to it.
 struct Winding {

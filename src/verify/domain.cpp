@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The domain: triangles oriented, fans wound once, and whether pieces of it overlap in the plane.
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "verify/boxes.h"
 #include "verify/checks.h"
@@ -12,25 +10,28 @@
 namespace c1mesh::verification {
 namespace {
 
-double angle_at(const Result& result, int t, int v) {
-  const auto& corner = result.triangles[t];
-  const int k = static_cast<int>(std::find(corner.begin(), corner.end(), v) - corner.begin());
-  const Point& p = result.domain_vertices[v];
-  const Point a = result.domain_vertices[corner[(k + 1) % 3]] - p;
-  const Point b = result.domain_vertices[corner[(k + 2) % 3]] - p;
-  return std::atan2(cross(a, b), a.dot(b));
+/// How often the edge from a to b passes the ray from p to the right, upwards less downwards, where
+/// (p, a, b) is counter-clockwise: an edge that goes up is on the right of p then, one that goes
+/// down on its left, so comparisons of coordinates are all it takes.
+int passes(const Point& p, const Point& a, const Point& b) {
+  return a.y() <= p.y() && p.y() < b.y() ? 1 : 0;
 }
 
-/// Interior vertices whose triangles do not go around exactly once. In a closed fan of positive
-/// triangles the angles sum to a multiple of 2 pi, so rounding errors cannot blur the count.
+/// Interior vertices whose triangles do not go around exactly once, counted exactly.
+/// Precondition: the triangles are counter-clockwise.
 std::vector<int> vertices_wound_wrongly(const Subject& subject) {
   std::vector<int> wrong;
   const Surface& surface = subject.surface;
+  const auto& domain = subject.result.domain_vertices;
   for (int v = 0; v < static_cast<int>(surface.vertex_triangles.size()); ++v) {
     if (surface.on_boundary[v] || surface.vertex_triangles[v].empty()) continue;
-    double sum = 0;
-    for (const int t : surface.vertex_triangles[v]) sum += angle_at(subject.result, t, v);
-    if (std::lround(sum / (2 * std::numbers::pi)) != 1) wrong.push_back(v);
+    int turns = 0;
+    for (const int t : surface.vertex_triangles[v]) {
+      const auto& corner = subject.result.triangles[t];
+      const int k = static_cast<int>(std::find(corner.begin(), corner.end(), v) - corner.begin());
+      turns += passes(domain[v], domain[corner[(k + 1) % 3]], domain[corner[(k + 2) % 3]]);
+    }
+    if (turns != 1) wrong.push_back(v);
   }
   return wrong;
 }

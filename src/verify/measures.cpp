@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is measured in plain doubles: distortion and the gradients on both sides of each edge.
+// What is measured in plain doubles: the gradients on both sides of each edge.
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -13,13 +13,6 @@ namespace {
 
 constexpr int kSamples = 10;  // per edge, ends included
 
-std::vector<Vec<double>> net_of(const Result& result, int t) {
-  std::vector<Vec<double>> net;
-  for (const int id : result.triangle_control_points[t])
-    net.push_back({result.control_points[id].x(), result.control_points[id].y()});
-  return net;
-}
-
 /// The columns of the domain triangle's edge vectors from its corner k.
 Eigen::Matrix2d domain_frame(const Result& result, int t, int k) {
   const auto at = [&](int c) -> const Point& {
@@ -28,28 +21,6 @@ Eigen::Matrix2d domain_frame(const Result& result, int t, int k) {
   Eigen::Matrix2d frame;
   frame << at(k + 1) - at(k), at(k + 2) - at(k);
   return frame;
-}
-
-/// Bernstein coefficients of |J|_F^2 and the least one of det J.
-struct Forms {
-  double most_norm, least_det;
-};
-
-Forms forms_of(const Result& result, const ProductRule& rule, int t) {
-  const Eigen::Matrix2d frame = domain_frame(result, t, 0), inverse = frame.inverse();
-  const std::vector<Vec<double>> net = net_of(result, t);
-  const auto d = derivative_forms(rule.degree + 1, net);
-  std::vector<Eigen::Matrix2d> J;
-  for (std::size_t a = 0; a < d[0].size(); ++a) {
-    Eigen::Matrix2d columns;
-    columns << d[0][a][0], d[1][a][0], d[0][a][1], d[1][a][1];
-    J.push_back(columns * inverse);
-  }
-  const auto norm = product_form<double>(
-      rule, [&](std::size_t a, std::size_t b) { return J[a].cwiseProduct(J[b]).sum(); });
-  const auto det = det_form(rule, net);
-  return {*std::max_element(norm.begin(), norm.end()),
-          *std::min_element(det.begin(), det.end()) / frame.determinant()};
 }
 
 /// J at the point s of the edge that starts at `side`'s corner: columns from the rows of control
@@ -78,27 +49,6 @@ Spread spread_of(std::vector<double> sample) {
     return sample[std::max<std::size_t>(rank, 1) - 1];
   };
   return {ranked(0.5), ranked(0.99), sample.back()};
-}
-
-void measure_distortion(const Subject& subject, Metrics& metrics) {
-  const Result& result = subject.result;
-  const ProductRule rule(subject.degree() - 1);
-  Point low = result.domain_vertices[0], high = low;
-  for (const Point& p : result.domain_vertices) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  // Lengths relative to each plane's own extent, so that no choice of units matters.
-  const double scale = std::pow((high - low).maxCoeff() / subject.extent, 2);
-  metrics.min_det_coefficient = std::numeric_limits<double>::infinity();
-  for (int t = 0; t < static_cast<int>(result.triangles.size()); ++t) {
-    const Forms forms = forms_of(result, rule, t);
-    const bool regular = forms.least_det > 0 && domain_frame(result, t, 0).determinant() > 0;
-    const double bound =
-        regular ? forms.most_norm / forms.least_det : std::numeric_limits<double>::infinity();
-    metrics.mips_bound_max = std::max(metrics.mips_bound_max, bound);
-    metrics.min_det_coefficient = std::min(metrics.min_det_coefficient, forms.least_det * scale);
-  }
 }
 
 void measure_gradients(const Subject& subject, Metrics& metrics, Samples& samples) {

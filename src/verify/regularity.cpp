@@ -1,79 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// det J > 0 on every closed triangle, proven: Bernstein coefficients in intervals, bisection where
-// one is not positive, rationals as the last word (Johnen, Remacle, Geuzaine 2013).
-#include <utility>
+// What the proofs of the triangles say together.
+#include <algorithm>
+#include <limits>
 
 #include "verify/checks.h"
-#include "verify/exact.h"
-#include "verify/interval.h"
+#include "verify/triangle_proofs.h"
 
 namespace c1mesh::verification {
 namespace {
 
-constexpr int kMostPieces = 4096;  // of one triangle, per number type
-
-int sign_of(const Interval& x) {
-  return certainly_positive(x) ? 1 : x.sup() <= 0 ? -1 : 0;
-}
-int sign_of(const Rational& x) {
-  return sgn(x) > 0 ? 1 : -1;
-}
-
-/// Is the form positive on its whole triangle? `sign_of` is -1 where a value is proven not positive
-/// and 0 where it is not known; coefficients at corners are values of the form.
-template <class Number>
-Verdict positive(int degree, std::vector<Number> form, int max_depth) {
-  std::vector<std::pair<std::vector<Number>, int>> pending;
-  pending.emplace_back(std::move(form), 0);
-  int pieces = 0;
-  while (!pending.empty()) {
-    const auto [now, depth] = std::move(pending.back());
-    pending.pop_back();
-    bool all = true;
-    for (const Number& c : now) all = all && sign_of(c) > 0;
-    if (all) continue;
-    for (const int corner : {0, degree, static_cast<int>(now.size()) - 1}) {
-      if (sign_of(now[corner]) < 0) return Verdict::invalid;
-      // Bisection would not sharpen the value at a corner.
-      if (sign_of(now[corner]) == 0) return Verdict::undecided;
-    }
-    if (depth >= max_depth || ++pieces > kMostPieces) return Verdict::undecided;
-    for (auto& half : halves(degree, now)) pending.emplace_back(std::move(half), depth + 1);
+/// Areas of the domain per areas of the shape, each relative to its own extent, so that no choice
+/// of units matters.
+double area_scale(const Subject& subject) {
+  Point low = subject.result.domain_vertices[0], high = low;
+  for (const Point& p : subject.result.domain_vertices) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
   }
-  return Verdict::valid;
+  const double scale = (high - low).maxCoeff() / subject.extent;
+  return scale * scale;
 }
 
-template <class Number>
-std::vector<Vec<Number>> net_of(const Result& result, int t) {
-  std::vector<Vec<Number>> net;
-  for (const int id : result.triangle_control_points[t]) {
-    const Point& p = result.control_points[id];
-    net.push_back({Number(p.x()), Number(p.y())});
+void note_bounds(const std::vector<TriangleFinding>& findings, const Subject& subject,
+                 Metrics& metrics, Certificate& certificate) {
+  certificate.det = metrics.min_det_coefficient = std::numeric_limits<double>::infinity();
+  for (const TriangleFinding& finding : findings) {
+    metrics.mips_bound_max = std::max(metrics.mips_bound_max, finding.most_distortion);
+    metrics.min_det_coefficient = std::min(metrics.min_det_coefficient, finding.least_coefficient);
+    certificate.det = std::min(certificate.det, finding.proof.det);
+    certificate.g = std::max(certificate.g, finding.proof.g);
+    certificate.triangles.push_back(finding.proof);
   }
-  return net;
-}
-
-Verdict certify(const Result& result, const ProductRule& rule, int t, int max_depth) {
-  const int degree = 2 * rule.degree;
-  {
-    const RoundOutward rounding;
-    const Verdict verdict =
-        positive(degree, det_form(rule, net_of<Interval>(result, t)), max_depth);
-    if (verdict != Verdict::undecided) return verdict;
-  }
-  return positive(degree, det_form(rule, net_of<Rational>(result, t)), max_depth);
+  metrics.min_det_coefficient *= area_scale(subject);
 }
 
 }  // namespace
 
-VerifyItem check_regularity(const Subject& subject) {
-  const ProductRule rule(subject.degree() - 1);
+VerifyItem check_regularity(const Subject& subject, Metrics& metrics, Certificate& certificate,
+                            Faults& record) {
   std::vector<int> invalid, undecided;
-  for (int t = 0; t < static_cast<int>(subject.result.triangles.size()); ++t) {
-    const Verdict verdict = certify(subject.result, rule, t, subject.options.max_subdivision);
-    if (verdict == Verdict::invalid) invalid.push_back(t);
-    if (verdict == Verdict::undecided) undecided.push_back(t);
+  const std::vector<TriangleFinding> findings = examine_triangles(subject);
+  for (int t = 0; t < static_cast<int>(findings.size()); ++t) {
+    if (findings[t].regular == Verdict::invalid) invalid.push_back(t);
+    if (findings[t].regular == Verdict::undecided) undecided.push_back(t);
+    if (!findings[t].record_holds)
+      record.add(
+          fmt::format("triangle {}: its proof does not show det J >= {:.17g} and g <= {:.17g}", t,
+                      subject.given->triangles[t].det, subject.given->triangles[t].g));
   }
+  note_bounds(findings, subject, metrics, certificate);
   const std::string name = "regularity";
   if (!invalid.empty())
     return {

@@ -23,18 +23,6 @@ bool hold(const VerifyReport& report, std::initializer_list<const char*> names) 
   return true;
 }
 
-const char* word(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::valid:
-      return "valid";
-    case Verdict::invalid:
-      return "INVALID";
-    case Verdict::undecided:
-      return "UNDECIDED";
-  }
-  return "";
-}
-
 std::string text_of(const Spread& s) {
   return fmt::format("median {:.3g}, 99 % {:.3g}, max {:.3g}", s.median, s.p99, s.max);
 }
@@ -64,7 +52,7 @@ bool VerifyReport::valid() const {
 std::string report_text(const VerifyReport& report) {
   std::string out;
   for (const VerifyItem& item : report.items)
-    out += fmt::format("{:<21}{:<10} {}\n", item.name, word(item.verdict), item.message);
+    out += fmt::format("{:<21}{:<10} {}\n", item.name, name_of(item.verdict), item.message);
   const Metrics& m = report.metrics;
   const auto line = [&](const char* name, const std::string& value) {
     out += fmt::format("{:<21}{}\n", name, value);

@@ -8,20 +8,16 @@
 
 #include "verify/checks.h"
 #include "verify/exact.h"
+#include "verify/rounding.h"
 
 namespace c1mesh::verification {
 namespace {
 
 /// The equations of one interior edge, from both sides.
 struct EdgeDeviation {
-  std::vector<double> d;  ///< d_ei, the larger of the two orientations, in shape units
+  std::vector<double> d;  ///< not below d_ei, the larger of the two orientations, of the extent
   bool within = true;     ///< every equation holds up to the tolerance and coordinate rounding
 };
-
-/// |value| of an exact vector as a double.
-double length(const Vec<Rational>& v) {
-  return std::hypot(v[0].get_d(), v[1].get_d());
-}
 
 /// gamma times the area of (v0, v1, v2), then that area itself: exact barycentric coordinates of
 /// v3.
@@ -50,11 +46,14 @@ EdgeDeviation deviation(const Subject& subject, const SurfaceEdge& edge) {
   const auto area = barycentric(result, edge.a, edge.b, third(left), third(right));
   if (sgn(area[3]) == 0 || sgn(area[2]) == 0)
     return {std::vector<double>(n, std::numeric_limits<double>::infinity()), false};
+  const VerifyOptions& options = subject.options;
   const double whole = area[3].get_d();
   const double g0 = area[0].get_d() / whole, g1 = area[1].get_d() / whole;
   const double g2 = std::abs(area[2].get_d() / whole);
   const double forward = 1 + std::abs(g0) + std::abs(g1) + g2;
   const double backward = 1 + (std::abs(g0) + std::abs(g1) + 1) / g2;
+  // The orientation whose third corner is the farther from the edge has the larger residual.
+  const Rational& divisor = abs(area[2]) < abs(area[3]) ? area[2] : area[3];
   EdgeDeviation out;
   for (int i = 0; i < n; ++i) {
     const std::array<const Point*, 4> p{
@@ -66,15 +65,17 @@ EdgeDeviation deviation(const Subject& subject, const SurfaceEdge& edge) {
     for (int k = 0; k < 2; ++k) {
       residual[k] = area[3] * Rational((*p[3])[k]);
       for (int s = 0; s < 3; ++s) residual[k] -= area[s] * Rational((*p[s])[k]);
-      residual[k] /= area[3];
+      residual[k] /= divisor;
     }
-    const double d = length(residual);
+    const double d = length_above(residual);
+    out.d.push_back(relative_above(d, subject.extent));
     // Rounding of the coordinates themselves: half an ulp each, weighted by the coefficients.
     const double rounding = 8 * std::numeric_limits<double>::epsilon() * largest_coordinate(p);
-    const double tolerance = subject.options.c1_tolerance * subject.extent;
-    out.within = out.within && d <= tolerance + rounding * forward &&
-                 d / g2 <= tolerance + rounding * backward;
-    out.d.push_back(std::max(d, d / g2));
+    const double coefficients = &divisor == &area[2] ? backward : forward;
+    const bool bounded = std::isfinite(options.c1_bound);
+    out.within = out.within &&
+                 (bounded ? out.d.back() <= options.c1_bound
+                          : d <= options.c1_tolerance * subject.extent + rounding * coefficients);
   }
   return out;
 }
@@ -93,21 +94,27 @@ std::vector<int> smooth_edges(const Subject& subject) {
   return out;
 }
 
-VerifyItem check_c1(const Subject& subject, Metrics& metrics, Samples& samples) {
+VerifyItem check_c1(const Subject& subject, Metrics& metrics, Samples& samples,
+                    Certificate& certificate) {
   Faults faults;
   const std::vector<int> edges = smooth_edges(subject);
   for (const int e : edges) {
     const SurfaceEdge& edge = subject.surface.edges[e];
     const EdgeDeviation found = deviation(subject, edge);
-    for (const double d : found.d) samples.d_ei.push_back(d / subject.extent);
+    samples.d_ei.insert(samples.d_ei.end(), found.d.begin(), found.d.end());
+    const double most = *std::max_element(found.d.begin(), found.d.end());
+    certificate.edges.push_back({edge.a, edge.b, most});
+    certificate.c1 = std::max(certificate.c1, most);
     if (!found.within)
-      faults.add(fmt::format("edge ({}, {}) deviates by {:.3g} of the extent", edge.a, edge.b,
-                             *std::max_element(found.d.begin(), found.d.end()) / subject.extent));
+      faults.add(
+          fmt::format("edge ({}, {}) deviates by {:.3g} of the extent", edge.a, edge.b, most));
   }
   metrics.d_ei = spread_of(samples.d_ei);
-  return faults.item("C1",
-                     fmt::format("{} edges, deviation at most {:.3g} of the extent (bound {:.3g})",
-                                 edges.size(), metrics.d_ei.max, subject.options.c1_tolerance));
+  const VerifyOptions& options = subject.options;
+  return faults.item(
+      "C1", fmt::format("{} edges, deviation at most {:.3g} of the extent (bound {:.3g})",
+                        edges.size(), metrics.d_ei.max,
+                        std::isfinite(options.c1_bound) ? options.c1_bound : options.c1_tolerance));
 }
 
 }  // namespace c1mesh::verification

@@ -23,30 +23,39 @@ double extent_of(const Result& result) {
   return side > 0 ? side : 1;
 }
 
-VerifyReport run(const Result& result, const Shape* input, const VerifyOptions& options) {
+VerifyReport run(const Result& result, const Shape* input, const Certificate* given,
+                 const VerifyOptions& options) {
   VerifyReport report;
   report.items.push_back(verification::check_structure(result));
   if (report.items[0].verdict != Verdict::valid) return report;  // nothing else may be looked up
 
-  const Subject subject{result, options, verification::surface_of(result), extent_of(result)};
+  Subject subject{result, options, verification::surface_of(result), extent_of(result), nullptr};
+  verification::Faults record;
+  if (given && verification::certificate_fits(subject, *given, record)) subject.given = given;
   Metrics& metrics = report.metrics;
   Samples& samples = report.samples;
+  Certificate& made = report.certificate;
+  made.name = result.name;
+  made.degree = result.degree;
+  made.extent = subject.extent;
   metrics.triangles = static_cast<int>(result.triangles.size());
   report.items.push_back(verification::check_topology(subject));
   report.items.push_back(verification::check_coverage(subject));
   if (input) report.items.push_back(verification::check_input_curves(subject, *input));
-  report.items.push_back(verification::check_conformance(subject, metrics, samples));
-  report.items.push_back(verification::check_boundary_simple(subject));
+  report.items.push_back(verification::check_conformance(subject, metrics, samples, made));
+  report.items.push_back(verification::check_boundary_simple(subject, made, record));
   report.items.push_back(verification::check_domain_orientation(subject));
   report.items.push_back(verification::check_winding(subject));
-  report.items.push_back(verification::check_regularity(subject));
-  report.items.push_back(verification::check_c1(subject, metrics, samples));
+  report.items.push_back(verification::check_regularity(subject, metrics, made, record));
+  report.items.push_back(verification::check_c1(subject, metrics, samples, made));
   report.items.push_back(verification::check_boundary_vertices(subject));
   report.items.push_back(verification::check_exceptional(subject, metrics));
-  verification::measure_distortion(subject, metrics);
   verification::measure_gradients(subject, metrics, samples);
   verification::measure_flatness(subject, metrics);
   metrics.domain_overlaps = verification::domain_overlaps(subject);
+  made.items = report.items;
+  if (subject.given) verification::compare_bounds(*given, made, record);
+  if (given) report.items.push_back(record.item("certificate", "all its proofs and bounds hold"));
   return report;
 }
 
@@ -57,18 +66,23 @@ VerifyOptions claimed_bounds(const Result& result) {
   for (const auto& [name, value] : result.parameters) {
     const double* bound = std::get_if<double>(&value);
     if (!bound || !(*bound > 0)) continue;
-    if (name == "c1_bound") out.c1_tolerance = *bound;
+    if (name == "c1_bound") out.c1_bound = *bound;
     if (name == "conformance_bound") out.conformance_tolerance = *bound;
   }
   return out;
 }
 
 VerifyReport verify(const Result& result, const VerifyOptions& options) {
-  return run(result, nullptr, options);
+  return run(result, nullptr, nullptr, options);
 }
 
 VerifyReport verify(const Result& result, const Shape& input, const VerifyOptions& options) {
-  return run(result, &input, options);
+  return run(result, &input, nullptr, options);
+}
+
+VerifyReport recheck(const Result& result, const Certificate& certificate,
+                     const VerifyOptions& options) {
+  return run(result, nullptr, &certificate, options);
 }
 
 }  // namespace c1mesh

@@ -53,7 +53,7 @@ void expect_paper_result(const Outcome& outcome, const Options& options) {
   EXPECT_TRUE(outcome.report.regular());
   EXPECT_TRUE(outcome.report.conforming());
   const Metrics& m = outcome.report.metrics;
-  EXPECT_LE(m.d_ei.max, options.c1_bound);
+  EXPECT_LE(m.d_ei.max, c1_asked(options));
   EXPECT_GT(m.d_ei.max, 0) << "an optimisation does not end exactly in C1";
   EXPECT_LE(m.conformance_max, kConforming);
   EXPECT_LE(m.mips_bound_max, distortion_asked(options));
@@ -233,7 +233,7 @@ TEST(Paper, BadOptionsAreRefused) {
   };
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   refused([](Options& o) { o.repeat = 0; });
-  refused([](Options& o) { o.c1_bound = 0; });
+  refused([](Options& o) { o.c1_bound = -1; });
   refused([](Options& o) { o.c1_bound = kNan; });
   refused([](Options& o) { o.paper.extent = 0; });
   refused([](Options& o) { o.paper.extent = kNan; });

@@ -172,12 +172,12 @@ TEST(Project, AC1ResultMovesByRoundingOnly) {
 
 TEST(Project, ClaimsItsBounds) {
   const Result exact = parametrize(example("blob")).result;
-  EXPECT_EQ(claimed_bounds(exact).c1_tolerance, VerifyOptions().c1_tolerance);
+  EXPECT_EQ(claimed_bounds(exact).c1_bound, VerifyOptions().c1_bound);
   EXPECT_EQ(claimed_bounds(exact).conformance_tolerance, VerifyOptions().conformance_tolerance);
   const Result projected = project(exact, 3e-5).result;
   EXPECT_EQ(parameter(projected, "c1_bound"), 1e-11);
   EXPECT_EQ(parameter(projected, "conformance_bound"), 3e-5);
-  EXPECT_EQ(claimed_bounds(projected).c1_tolerance, 1e-11);
+  EXPECT_EQ(claimed_bounds(projected).c1_bound, 1e-11);
   EXPECT_EQ(claimed_bounds(projected).conformance_tolerance, 3e-5);
   // Through the file, too; and a second projection replaces the claim.
   const Result read = parse_result(format_result(projected), projected.name);

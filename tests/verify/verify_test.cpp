@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <numbers>
 
 #include "result/example_results.h"
@@ -348,15 +347,9 @@ TEST(Verify, AVertexWoundTwiceIsFound) {
   EXPECT_TRUE(report.metrics.domain_overlaps);
 }
 
-// The time of a large result: 3,200 triangles, each exact in its C1 equations.
-TEST(Verify, ThreeThousandTrianglesTakeSeconds) {
-  const Result result = example::grid(40, 3, example::cubic_map());
-  const auto start = std::chrono::steady_clock::now();
-  const VerifyReport report = verify(result);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+TEST(Verify, ThreeThousandTrianglesAreValid) {
+  const VerifyReport report = verify(example::grid(40, 3, example::cubic_map()));
   EXPECT_TRUE(report.valid()) << report_text(report);
-  RecordProperty("milliseconds", static_cast<int>(1000 * took.count()));
-  EXPECT_LT(took.count(), 10);  // generous: machines are shared
 }
 
 TEST(Verify, InputCurvesAreComparedBitForBit) {
