@@ -2,6 +2,7 @@
 // Everything: read, check, parametrize, trade off, verify, evaluate, write, generate.
 #pragma once
 
+#include "c1mesh/cost.h"
 #include "c1mesh/error.h"
 #include "c1mesh/evaluate.h"
 #include "c1mesh/font.h"
