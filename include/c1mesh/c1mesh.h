@@ -3,6 +3,7 @@
 #pragma once
 
 #include "c1mesh/certificate.h"
+#include "c1mesh/cost.h"
 #include "c1mesh/error.h"
 #include "c1mesh/evaluate.h"
 #include "c1mesh/font.h"

@@ -8,6 +8,7 @@
 
 #include "app/command.h"
 #include "app/summary.h"
+#include "c1mesh/cost.h"
 #include "c1mesh/parametrize.h"
 #include "c1mesh/trade_off.h"
 #include "c1mesh/write.h"
@@ -21,6 +22,7 @@ struct OutputFile {
 
 // All texts exist before the first file does: what can fail fails first.
 std::vector<OutputFile> output_files(const RunOptions& options, const Outcome& outcome) {
+  const StageTimer timer("format");
   const Result& result = outcome.result;
   const std::string& folder = options.folder;
   std::vector<OutputFile> files;
@@ -32,7 +34,10 @@ std::vector<OutputFile> output_files(const RunOptions& options, const Outcome& o
   }
   const std::string stem = folder + "/" + result.name;
   files.push_back({stem + ".c1.json", format_result(result)});
-  if (options.wants("svg")) files.push_back({stem + ".svg", draw_svg(result, {})});
+  if (options.wants("svg")) {
+    const StageTimer drawing("draw");
+    files.push_back({stem + ".svg", draw_svg(result, {})});
+  }
   for (const char* mesh : {"vtu", "msh", "mesh"})
     if (options.wants(mesh))
       for (const char* part : {".", ".domain."})
@@ -44,6 +49,7 @@ std::vector<OutputFile> output_files(const RunOptions& options, const Outcome& o
 }
 
 std::vector<std::string> deliver_all(const std::vector<OutputFile>& files) {
+  const StageTimer timer("write");
   std::vector<std::string> paths;
   for (const OutputFile& file : files) {
     deliver(file.path, file.text);

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "app/command.h"
 #include "app/inputs.h"
 #include "app/interrupt.h"
 #include "app/road.h"
+#include "app/summary.h"
 
 namespace c1mesh::app {
 namespace {
@@ -66,18 +68,30 @@ Status write_trace(const Run& run) {
   });
 }
 
+std::vector<Drawing> read_timed(const Input& input) {
+  const StageTimer timer("read");
+  return input.read();
+}
+
+// Reading counts for the first of the drawings.
 Status run_input(Run& run, const Input& input) {
+  CostLedger ledger;
+  std::optional<CostRecording> recording;
+  if (run.console.verbose) recording.emplace(ledger);
   Status status = Status::ok;
-  for (Drawing& drawing : input.read()) {
+  for (Drawing& drawing : read_timed(input)) {
     if (interrupted()) return worse(status, Status::limit);
     const std::string label = input.label + " (" + drawing.name + ")";
     status = worse(status, guarded(run.console, label, [&] {
                      choose_name(run, input.label, drawing);
                      reserve_certificate(run, drawing.name);
-                     return run_drawing(run.console, run.arguments.options, input.label, drawing,
-                                        tracer(run, drawing.name))
-                         .status;
+                     const DrawingRun done =
+                         run_drawing(run.console, run.arguments.options, input.label, drawing,
+                                     tracer(run, drawing.name));
+                     run.console.detail(cost_lines(ledger, done.metrics.triangles));
+                     return done.status;
                    }));
+    ledger.clear();
   }
   return status;
 }

@@ -92,6 +92,27 @@ std::string summary(const Console& console, const Outcome& outcome, const Option
   return out + verdict_row(console, outcome, options);
 }
 
+std::string cost_lines(const CostLedger& ledger, int triangles) {
+  const double each = triangles > 0 ? 1.0 / triangles : 0;
+  const auto line = [&](const std::string& stage, double wall, double cpu) {
+    return fmt::format("\n  {:<30}{:>10.3f}{:>10.3f}{:>14.2f}", stage, wall, cpu, 1e6 * cpu * each);
+  };
+  std::string out =
+      fmt::format("  {:<30}{:>10}{:>10}{:>14}", "cost of", "seconds", "CPU s", "CPU us/tri.");
+  double wall = 0, cpu = 0;
+  for (const StageCost& cost : ledger.stages()) {
+    out += line(cost.stage, cost.wall, cost.cpu);
+    wall += cost.wall;
+    cpu += cost.cpu;
+  }
+  out += line("all stages", wall, cpu);
+  const double peak = peak_memory();
+  if (peak > 0)
+    out += fmt::format("\n  {:<30}{:>7.1f} MiB{:>10}{:>10.2f} KiB", "peak memory", peak / 1048576,
+                       "", peak / 1024 * each);
+  return out;
+}
+
 std::string trade_off_lines(const TradeOff& curve, const std::vector<std::string>& files) {
   std::string out = printable(curve.name) + ": g against exceptional vertices";
   for (const TradeOffPoint& p : curve.points)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/console.h"
+#include "c1mesh/cost.h"
 #include "c1mesh/options.h"
 #include "c1mesh/parametrize.h"
 #include "c1mesh/trade_off.h"
@@ -18,6 +19,10 @@ std::vector<std::string> missed_bounds(const Outcome& outcome, const Options& op
 /// Several lines without a final newline.
 std::string summary(const Console& console, const Outcome& outcome, const Options& options,
                     const std::vector<std::string>& files);
+
+/// What each stage cost, all together, and the process's peak of memory so far; in all and per
+/// triangle (`triangles` 0: in all only).
+std::string cost_lines(const CostLedger& ledger, int triangles);
 
 /// The curve, a line per point, without a final newline.
 std::string trade_off_lines(const TradeOff& curve, const std::vector<std::string>& files);

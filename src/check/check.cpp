@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <optional>
 
+#include "c1mesh/cost.h"
 #include "check/stages.h"
 
 namespace c1mesh {
@@ -27,19 +29,24 @@ Checked run_stages(const Drawing& drawing, const CheckOptions& options) {
   Checked out;
   Arrangement& arrangement = out.arrangement;
   arrangement.defects = drawing.notes;
-  if (!detail::screen(drawing, arrangement)) return out;
-  detail::drop_zero_length(arrangement);
-  detail::respace_straight(arrangement);
-  detail::remove_duplicates(arrangement);
-  if (arrangement.curves.empty()) {
-    arrangement.report(DefectKind::empty, {}, {}, "no curve has any length",
-                       "give at least one closed loop");
-    return out;
+  {
+    const StageTimer timer("check: curves");
+    if (!detail::screen(drawing, arrangement)) return out;
+    detail::drop_zero_length(arrangement);
+    detail::respace_straight(arrangement);
+    detail::remove_duplicates(arrangement);
+    if (arrangement.curves.empty()) {
+      arrangement.report(DefectKind::empty, {}, {}, "no curve has any length",
+                         "give at least one closed loop");
+      return out;
+    }
   }
+  std::optional<StageTimer> timer(std::in_place, "check: ends");
   detail::close_gaps(arrangement, options.gap_tolerance);
   detail::unite_ends(arrangement);
   detail::remove_near_copies(arrangement);
   arrangement.frame = detail::frame_of(arrangement.curves, arrangement.extent);
+  timer.emplace("check: features");
   detail::Nodes nodes = detail::find_nodes(arrangement);
   detail::tell_features(arrangement, nodes);
   for (const auto stage : {&detail::attach_ends, &detail::cut_crossings})
@@ -49,11 +56,14 @@ Checked run_stages(const Drawing& drawing, const CheckOptions& options) {
     }
   detail::report_copies(arrangement);
   detail::note_short(arrangement, nodes, options.gap_tolerance);
+  timer.emplace("check: loops");
   const std::vector<Loop> loops = detail::join(arrangement, nodes);
   const std::vector<char> regular = detail::check_derivatives(arrangement);
   const std::vector<char> cusp = detail::check_joints(arrangement, nodes, regular);
   const detail::Pieces pieces = detail::cut(arrangement, nodes, regular);
+  timer.emplace("check: intersections");
   detail::check_intersections(arrangement, nodes, pieces, cusp);
+  timer.emplace("check: nesting");
   const std::vector<FeaturePath> features = detail::feature_paths(arrangement, nodes);
   detail::check_features(arrangement, nodes, loops, features, pieces);
   if (usable(arrangement.defects))

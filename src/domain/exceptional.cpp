@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "c1mesh/cost.h"
 #include "domain/cycles.h"
 
 namespace c1mesh {
@@ -262,6 +263,7 @@ int missing_corners(const Joints& joints, const Roles& roles, int loop) {
 
 Roles place_exceptional(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                         Placement placement) {
+  const StageTimer timer("map: placement");
   Roles out = roles;
   std::optional<CyclePlacer> cycles;
   if (!mesh.features.empty()) cycles.emplace(mesh, joints, placement).place_inside(out);
@@ -285,6 +287,7 @@ Roles place_exceptional(const CurvedMesh& mesh, const Joints& joints, const Role
 
 std::vector<Roles> one_more(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                             int count) {
+  const StageTimer timer("map: placement");
   constexpr double kApart = 1.0 / 24;  // of the loop's length
   std::vector<Roles> out;
   for (std::size_t l = 0; l < mesh.loops.size(); ++l) {

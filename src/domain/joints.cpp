@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "c1mesh/cost.h"
 #include "mesh/topology.h"
 
 namespace c1mesh {
@@ -120,11 +121,13 @@ std::vector<std::vector<std::vector<int>>> boundary_control(const CurvedMesh& me
 }
 
 Joints find_joints(const CurvedMesh& mesh, double corner_angle) {
+  const StageTimer timer("map: joints");
   return joints_of(mesh,
                    [&](const Joint& joint) { return classify(joint, mesh.degree, corner_angle); });
 }
 
 Joints find_joints_again(const CurvedMesh& mesh, const Joints& before) {
+  const StageTimer timer("map: joints");
   std::vector<std::map<int, JointKind>> kinds(
       before.size());  // per path: a branch point is in several
   for (const auto& path : before)

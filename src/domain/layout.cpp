@@ -5,6 +5,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "c1mesh/cost.h"
+
 namespace c1mesh {
 namespace {
 
@@ -187,6 +189,7 @@ bool has_c1_corner(const Joints& joints, const Roles& roles) {
 }
 
 DomainLayout make_layout(const CurvedMesh& mesh, const Joints& joints, const Roles& roles) {
+  const StageTimer timer("map: layout");
   DomainLayout layout;
   const int vertices = mesh.vertex_count();
   const int unknowns = number_unknowns(joints, roles, vertices, layout);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "c1mesh/cost.h"
 #include "domain/apart.h"
 #include "domain/unbend.h"
 
@@ -188,6 +189,7 @@ void normalise_domain(const CurvedMesh& mesh, const DomainLayout& layout, PointM
 DomainState solve_domain(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                          const DomainOptions& options, DomainReport& report,
                          const Checkpoint& checkpoint) {
+  const StageTimer timer("map: domain");
   DomainState state{roles, make_layout(mesh, joints, roles), {}};
   const DomainElements elements =
       domain_elements(mesh, joints, roles, state.layout, options.weights);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "c1mesh/cost.h"
 #include "linear/sparse_solver.h"
 #include "mesh/topology.h"
 
@@ -159,6 +160,7 @@ PointMatrix unknowns_of_shape(const DomainShape& shape, const Joints& joints,
 
 PointMatrix start_positions(const CurvedMesh& mesh, const Joints& joints, const Roles& roles,
                             const DomainLayout& layout, Start start) {
+  const StageTimer timer("map: start");
   const int vertices = mesh.vertex_count();
   const PointMatrix initial = domain_points(mesh);
   PointMatrix wanted = initial;
@@ -208,6 +210,7 @@ int boundary_crossings(const CurvedMesh& mesh, const PointMatrix& points) {
 }
 
 std::vector<int> crossing_vertices(const CurvedMesh& mesh, const PointMatrix& points) {
+  const StageTimer timer("map: crossings");
   struct Segment {
     int a, b;
     Point p, q;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "c1mesh/cost.h"
 #include "domain/apart.h"
 #include "domain/minimise.h"
 #include "domain/start.h"
@@ -283,6 +284,7 @@ PointMatrix unbend_domain(const CurvedMesh& mesh, const Joints& joints, const Ro
                           const DomainLayout& layout, const DomainElements& elements,
                           const UnbendOptions& options, UnbendReport& report,
                           const Checkpoint& checkpoint) {
+  const StageTimer timer("map: unbending");
   Unbending unbending(mesh, joints, roles, elements, options.apart, checkpoint);
   const int stages =
       std::max(options.stages,

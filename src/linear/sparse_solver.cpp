@@ -4,6 +4,8 @@
 #include <Eigen/CholmodSupport>
 #include <vector>
 
+#include "c1mesh/cost.h"
+
 namespace c1mesh {
 
 struct SparseSolver::State {
@@ -30,17 +32,20 @@ SparseSolver& SparseSolver::operator=(SparseSolver&&) noexcept = default;
 
 bool SparseSolver::factorise(const SparseMatrix& matrix, double shift) {
   if (!state_->same_pattern(matrix)) {
+    const StageTimer timer("map: ordering");
     state_->factor.analyzePattern(matrix);
     state_->outer.assign(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.outerSize() + 1);
     state_->inner.assign(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
     state_->analysed = true;
   }
+  const StageTimer timer("map: factorisation");
   state_->factor.setShift(shift);
   state_->factor.factorize(matrix);
   return state_->factor.info() == Eigen::Success;
 }
 
 Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right) const {
+  const StageTimer timer("map: triangular solves");
   return state_->factor.solve(right);
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "bernstein/curve.h"
+#include "c1mesh/cost.h"
 #include "mesh/guard.h"
 #include "mesh/net_blossom.h"
 #include "mesh/straight_mesh.h"
@@ -244,10 +245,14 @@ double largest_bound(const CurvedMesh& mesh) {
 CurvedMesh initial_mesh(const MeshInput& input, const MeshOptions& options, MeshReport& report) {
   report = {};
   if (input.loops.empty() || input.degree < 1) throw std::invalid_argument("nothing to mesh");
+  std::optional<StageTimer> timer(std::in_place, "mesh: walks");
   const meshing::Walks walks = meshing::walks_of(input);
+  timer.reset();
   auto straight = usual_straight(input, walks, options.mips_bound, report);
   if (!straight) straight = strict_straight(input, walks, options.mips_bound, report);
+  timer.emplace("mesh: curved");
   CurvedMesh mesh = Assembler(input, walks, straight->layer, straight->mesh).assemble();
+  timer.emplace("mesh: guard");
   guard_boundary(mesh);
   report.mips_bound = largest_bound(mesh);
   return mesh;

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "bernstein/curve.h"
+#include "c1mesh/cost.h"
 #include "mesh/straight_cdt.h"
 
 namespace c1mesh::meshing {
@@ -29,10 +31,13 @@ class Builder {
   }
 
   StraightMesh build() {
+    std::optional<StageTimer> timer(std::in_place, "mesh: triangulation");
     insert_points();
     insert_constraints();
     mark_domain();
+    timer.emplace("mesh: refinement");
     refine_delaunay(cdt_, segments_, thrift_);
+    timer.emplace("mesh: numbering");
     number_vertices();
     collect_triangles();
     trace_chords();

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bernstein/curve.h"
+#include "c1mesh/cost.h"
 #include "mesh/box_pairs.h"
 
 namespace c1mesh::meshing {
@@ -411,6 +412,7 @@ std::optional<std::vector<std::vector<WarpSegment>>> build_warp_layer(const Walk
                                                                       const Thrift& thrift,
                                                                       std::size_t limit,
                                                                       MeshReport& report) {
+  const StageTimer timer("mesh: warp triangles");
   Layer layer(walks, degree, mips_bound, thrift, report);
   if (!layer.build(limit)) return std::nullopt;
   return layer.collect();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "c1mesh/cost.h"
 #include "linear/sparse_solver.h"
 #include "mesh/topology.h"
 
@@ -157,6 +158,7 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> c1_matrix(const std::vector<C1Edge>
 ProjectionReport project_to_c1(const std::vector<C1Edge>& edges, const PointMatrix& domain,
                                const std::vector<char>& fixed, const std::vector<double>& size,
                                std::vector<Point>& control) {
+  const StageTimer timer("map: projection");
   ProjectionReport report;
   const int controls = static_cast<int>(control.size());
   std::vector<int> column(controls, -1), free;

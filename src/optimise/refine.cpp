@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "c1mesh/cost.h"
 #include "mesh/bisect.h"
 #include "optimise/tracing.h"
 
@@ -90,6 +91,7 @@ bool settle(Stage& stage, double before, double target, const ExactOptions& exac
 void refine_where_distorted(const RefineOptions& options, const ExactOptions& exact,
                             CurvedMesh& mesh, Joints& joints, Attempt& attempt,
                             const Checkpoint& outer) {
+  const StageTimer timer("map: refinement");
   const Checkpoint checkpoint =
       traced_roles(outer, joints, attempt.roles).marked([](TraceRecord& record) {
         record.stage = "refinement";

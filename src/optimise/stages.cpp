@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "c1mesh/cost.h"
 #include "domain/apart.h"
 #include "mesh/topology.h"
 #include "optimise/tracing.h"
@@ -109,6 +110,7 @@ JointReport optimise_jointly(const CurvedMesh& mesh, const DomainLayout& layout,
                              const std::vector<C1Edge>& asked, const DomainElements& elements,
                              const JointOptions& options, MapState& state,
                              const Checkpoint& checkpoint) {
+  const StageTimer timer("map: joint stage");
   // Wedges as they are; the triangles' distortion now moves with the control points, and in its
   // place each domain triangle is held near the shape the domain stage gave it.
   std::vector<DomainElement> extras(elements.all.begin() + elements.triangles, elements.all.end());
@@ -146,6 +148,7 @@ JointReport optimise_jointly(const CurvedMesh& mesh, const DomainLayout& layout,
 ExactReport make_exact(const CurvedMesh& mesh, const DomainLayout& layout,
                        const std::vector<C1Edge>& asked, const ExactOptions& options,
                        MapState& state, const Checkpoint& checkpoint) {
+  const StageTimer timer("map: exact stage");
   ExactReport report;
   MapObjective objective(mesh, layout, asked, {}, state, false);
   objective.exponent = options.exponent;
@@ -206,6 +209,7 @@ double project_exactly(const CurvedMesh& mesh, const DomainLayout& layout,
 bool lower_distortion(const CurvedMesh& mesh, const DomainLayout& layout,
                       const std::vector<C1Edge>& asked, const ExactOptions& options,
                       MapState& state, const Checkpoint& checkpoint) {
+  const StageTimer timer("map: lower distortion");
   MapObjective objective(mesh, layout, asked, {}, state, false);
   objective.rho = options.last_rho;
   const PointMatrix domain = layout.exact * state.unknowns;

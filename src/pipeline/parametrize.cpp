@@ -6,7 +6,9 @@
 #include <tbb/info.h>
 
 #include <chrono>
+#include <optional>
 
+#include "c1mesh/cost.h"
 #include "c1mesh/project.h"
 #include "pipeline/assemble.h"
 #include "pipeline/ladder.h"
@@ -86,6 +88,7 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
       if (options.time_limit > 0 && clock.seconds() > options.time_limit) throw TimeLimitReached();
     };
     const Checkpoint checkpoint(stop, trace_of_region(trace, static_cast<int>(r)));
+    const StageTimer timer("map: rest");
     regions.push_back(options.method == Method::paper
                           ? solve_region_as_paper(mesh, options, checkpoint)
                           : solve_region(mesh, options, checkpoint));
@@ -97,7 +100,9 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
   }
   if (progress && !progress("verifying", 0.96)) throw Interrupted("cancelled");
   const Clock stage;
+  std::optional<StageTimer> timer(std::in_place, "assembly");
   outcome.result = assemble_result(shape, regions, options, degree);
+  timer.reset();
   outcome.report = verify(outcome.result, shape, claimed_bounds(outcome.result));
   if (options.project) project_outcome(shape, outcome);
   outcome.result.metrics = outcome.report.metrics;
