@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "app/command.h"
-#include "base/float_traps.h"
 #include "c1mesh/version.h"
 
 namespace {
@@ -26,9 +25,6 @@ int parse_error(const CLI::App& app, const CLI::ParseError& error) {
 
 int main(int argc, char** argv) {
   using namespace c1mesh::app;
-#ifdef C1MESH_TRAP_FLOATS
-  c1mesh::trap_floats();
-#endif
   Console console;
   CLI::App app(
       "Exactly C1 curved-triangle parametrizations of planar shapes bounded by Bezier curves",

@@ -2,11 +2,9 @@
 #include "base/float_traps.h"
 
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
 
 #include <cfenv>
 #include <cmath>
-#include <csignal>
 #include <limits>
 #include <vector>
 
@@ -16,19 +14,18 @@
 namespace c1mesh {
 namespace {
 
-// Opaque to the compiler, which would else do the division itself. Integer sanitizers see nothing:
-// the operands are doubles of the C library's functions.
+// Opaque to the compiler, which would else know the result.
 double logarithm(double x) {
   volatile double opaque = x;
   return std::log(opaque);
 }
 
 TEST(FloatTrapsDeathTest, TestsEndOnANaN) {
-  EXPECT_EXIT(logarithm(-1), testing::KilledBySignal(SIGFPE), "");
+  EXPECT_DEATH(logarithm(-1), "");
 }
 
 TEST(FloatTrapsDeathTest, TestsEndOnAPole) {
-  EXPECT_EXIT(logarithm(0), testing::KilledBySignal(SIGFPE), "");
+  EXPECT_DEATH(logarithm(0), "");
 }
 
 TEST(FloatTraps, AreOffInAScopeAndOnAgainAfterIt) {

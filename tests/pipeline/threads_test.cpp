@@ -62,9 +62,9 @@ std::vector<Job> jobs() {
       [=] { return road(C1MESH_EXAMPLES "/blob.svg", quintic); },
       [=] { return road(C1MESH_EXAMPLES "/annulus.svg", alone); },
       [=] { return road(C1MESH_EXAMPLES "/blob.svg", paper); },
-      [=] { return curve_of(C1MESH_EXAMPLES "/puzzle.svg"); },
+      [=] { return curve_of(C1MESH_EXAMPLES "/letter.svg"); },
       [=] { return random_shape('A', 3); },
-      [=] { return random_shape('C', 4); },
+      [=] { return random_shape('A', 5); },
       [=] { return refusal(C1MESH_TEST_DATA "/nasty/duplicate-curve.json"); },
   };
 }
