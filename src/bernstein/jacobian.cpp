@@ -144,8 +144,9 @@ Eigen::VectorXd norm_coefficients(const JacobianTables& tables, const Net& net, 
 double distortion_bound(const JacobianTables& tables, const Net& net, const Point& d1,
                         const Point& d2) {
   const double domain = cross(d1, d2);
+  if (!(domain > 0)) return std::numeric_limits<double>::infinity();
   const double least = det_coefficients(tables, net).minCoeff() / domain;
-  if (!(least > 0) || !(domain > 0)) return std::numeric_limits<double>::infinity();
+  if (!(least > 0)) return std::numeric_limits<double>::infinity();
   return norm_coefficients(tables, net, d1, d2).maxCoeff() / least;
 }
 

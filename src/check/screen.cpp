@@ -31,7 +31,7 @@ bool usable_curve(const BezierCurve& curve, int index, Arrangement& out) {
     return false;
   }
   for (const Point& p : curve.poles)
-    if (!p.allFinite()) {
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y())) {
       out.report(DefectKind::non_finite, {index}, {}, "a control point is not a finite number",
                  "repair the coordinate");
       return false;

@@ -23,6 +23,8 @@ double total_deviation(const CurvedMesh& mesh, const std::vector<C1Edge>& asked,
     if (e.equations() != mesh.degree) continue;  // of a joint's tips
     Point v[4];
     for (int k = 0; k < 4; ++k) v[k] = domain.row(e.vertex[k]).transpose();
+    // A flat triangle gives no coordinates to its neighbour's corner: d_ei is infinite.
+    if (cross(v[1] - v[0], v[2] - v[0]) == 0) return std::numeric_limits<double>::infinity();
     const Eigen::Vector3d g = barycentric(v[0], v[1], v[2], v[3]);
     for (int i = 0; i < e.equations(); ++i) sum += c1_residue(e, i, g, control).norm();
   }

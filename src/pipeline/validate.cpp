@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/float_traps.h"
+
 namespace c1mesh {
 namespace {
 
@@ -23,6 +25,7 @@ void validate(const PaperOptions& paper) {
 }  // namespace
 
 void validate(const Options& options) {
+  const FloatTrapsOff not_a_number;  // fails every comparison and is so refused
   if (!(options.mips_bound > 2)) throw std::invalid_argument("mips_bound must exceed 2");
   if (!(options.alpha >= 1)) throw std::invalid_argument("alpha must be at least 1");
   if (options.degree < 3 || options.degree > 20)

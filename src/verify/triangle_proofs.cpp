@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/float_traps.h"
 #include "verify/exact.h"
 #include "verify/interval.h"
 #include "verify/proof_tree.h"
@@ -176,6 +177,9 @@ bool settled(const TriangleFinding& finding) {
 }  // namespace
 
 std::vector<TriangleFinding> examine_triangles(const Subject& subject) {
+  // Any file is examined, also one whose numbers are near overflow: unbounded intervals prove
+  // nothing.
+  const FloatTrapsOff unbounded;
   const ProductRule rule(subject.degree() - 1);
   std::vector<TriangleFinding> out;
   out.reserve(subject.result.triangles.size());

@@ -98,7 +98,7 @@ class Plot {
     double low = 1e300, high = 0;
     for (const TraceRecord& r : records_) {
       const double value = r.*q.value;
-      if (!(value > 0) || !std::isfinite(value)) continue;
+      if (!std::isfinite(value) || value <= 0) continue;
       low = std::min(low, value);
       high = std::max(high, value);
     }
