@@ -2,6 +2,8 @@ option(C1MESH_TESTS "Build the tests" ON)
 option(C1MESH_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
 set(C1MESH_SANITIZE "" CACHE STRING "Sanitizers to compile with, for example address,undefined")
 
+option(C1MESH_FUZZ "Build the fuzz targets (clang's libFuzzer) instead of the tests" OFF)
+
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -21,4 +23,8 @@ add_compile_options(-ffp-contract=off)
 if(C1MESH_SANITIZE)
   add_compile_options(-fsanitize=${C1MESH_SANITIZE} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${C1MESH_SANITIZE})
+endif()
+if(C1MESH_FUZZ)
+  # A report must end the process, or the fuzzer goes on without noticing it.
+  add_compile_options(-fsanitize=fuzzer-no-link -fno-sanitize-recover=all)
 endif()
