@@ -3,6 +3,8 @@ option(C1MESH_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
 set(C1MESH_SANITIZE "" CACHE STRING "Sanitizers to compile with, for example address,undefined")
 option(C1MESH_TRAP_FLOATS "The program ends with SIGFPE where a NaN or a division by zero arises" OFF)
 
+option(C1MESH_FUZZ "Build the fuzz targets (clang's libFuzzer) instead of the tests" OFF)
+
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -30,4 +32,8 @@ if(C1MESH_SANITIZE)
     add_compile_options(-fno-sanitize=null,alignment,object-size,vptr)
   endif()
   add_compile_definitions(_GLIBCXX_ASSERTIONS)
+endif()
+if(C1MESH_FUZZ)
+  # A report must end the process, or the fuzzer goes on without noticing it.
+  add_compile_options(-fsanitize=fuzzer-no-link -fno-sanitize-recover=all)
 endif()

@@ -2,16 +2,20 @@
 #include "check/winding.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "bernstein/curve.h"
 
 namespace c1mesh::detail {
 namespace {
 
-constexpr int kDeepest = 80;
+// Below this (normalised) halving no longer makes pieces smaller: both halves hold the point again,
+// and again, so that their number would double with every level.
+constexpr double kPoint = 4 * std::numeric_limits<double>::epsilon();
 
-// Signed crossings of the ray {p + (s, 0): s > 0} by the piece: +1 upward, -1 downward.
-int crossings(const Poles2& poles, const Point& p, int depth) {
+// Signed crossings of the ray {p + (s, 0): s > 0} by the piece: +1 upward, -1 downward. On the
+// piece itself there is no right answer.
+int crossings(const Poles2& poles, const Point& p) {
   double low_y = poles[0].y(), high_y = low_y, low_x = poles[0].x(), high_x = low_x;
   for (const Point& q : poles) {
     low_y = std::min(low_y, q.y());
@@ -21,11 +25,12 @@ int crossings(const Poles2& poles, const Point& p, int depth) {
   }
   if (high_x < p.x() || low_y > p.y() || high_y < p.y()) return 0;
   const bool above0 = poles.front().y() > p.y(), above1 = poles.back().y() > p.y();
+  const bool point = std::max(high_x - low_x, high_y - low_y) <= kPoint;
   // Wholly to the right: only on which side of the ray's line the ends are matters.
-  if (low_x > p.x() || depth >= kDeepest) return int(above1) - int(above0);
+  if (low_x > p.x() || point) return int(above1) - int(above0);
   Poles2 first, second;
   halve(poles, first, second);
-  return crossings(first, p, depth + 1) + crossings(second, p, depth + 1);
+  return crossings(first, p) + crossings(second, p);
 }
 
 // Integral of cross(c, dc) over [0, 1] / 2 by Gauss's rule would need nodes for every degree; in
@@ -52,7 +57,7 @@ int winding_number(const Loop& loop, const Pieces& pieces, const Point& p) {
   int sum = 0;
   for (const CurveUse& use : loop)
     for (int i = pieces.first[use.curve]; i < pieces.first[use.curve + 1]; ++i) {
-      const int here = crossings(pieces.all[i].poles, p, 0);
+      const int here = crossings(pieces.all[i].poles, p);
       sum += use.reversed ? -here : here;
     }
   return sum;

@@ -138,7 +138,7 @@ std::vector<char32_t> characters_of(const std::string& text, const ReadOptions& 
   if (characters.size() > options.max_characters)
     refuse(DefectKind::limit,
            fmt::format("the text is longer than {} characters", options.max_characters),
-           "split it");
+           "split it, or raise the limit (--max-characters)");
   return characters;
 }
 
@@ -192,7 +192,7 @@ std::vector<Drawing> set_in_line(const Font& font, const std::vector<char32_t>& 
     for (const auto& subpath : outline.subpaths) curves += subpath.size();
     if (curves > options.max_curves)
       refuse(DefectKind::limit, fmt::format("more than {} curves", options.max_curves),
-             "split the text");
+             "split the text, or raise the limit (--max-curves)");
   }
   if (drawings.empty())
     refuse(DefectKind::empty, "the text has no outline", "give a text with visible letters");

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/hostile_text.h"
+#include "read/curve_list.h"
 #include "read/formats.h"
 
 namespace c1mesh::detail {
@@ -12,59 +14,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMostDefects = 100;
-
-// Counts brackets outside strings before the parser runs, so that depth is bounded up front.
-void check_depth(const std::string& text, int max_depth) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\')
-        ++i;
-      else if (c == '"')
-        in_string = false;
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > max_depth)
-        refuse(DefectKind::limit,
-               fmt::format("the input is nested deeper than {} levels", max_depth),
-               "give a flat list of curves");
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
-  }
-}
-
-json parse(const std::string& text) {
-  try {
-    return json::parse(text);
-  } catch (const json::exception& error) {
-    // The library's message starts with its own error number in brackets: not for the user.
-    const std::string what = error.what();
-    const std::size_t bracket = what.find("] ");
-    refuse(DefectKind::malformed,
-           "not valid JSON: " + (bracket == std::string::npos ? what : what.substr(bracket + 2)),
-           "repair the file's syntax");
-  }
-}
-
-const json& curve_list(const json& root) {
-  const json* list = &root;
-  if (root.is_object()) {
-    const auto found = root.find("curves");
-    if (found == root.end())
-      refuse(DefectKind::malformed, "the object has no \"curves\"",
-             "put the curves under \"curves\"");
-    list = &*found;
-  }
-  if (!list->is_array())
-    refuse(DefectKind::malformed, "\"curves\" is not a list", "give a list of curves");
-  if (list->empty())
-    refuse(DefectKind::empty, "the list of curves is empty", "give at least one curve");
-  return *list;
-}
+// Every defect repeats the names of its curves.
+constexpr std::size_t kLongestId = 4096, kQuoted = 100;
 
 // Reads one curve; what is wrong with it is appended to `defects`.
 class CurveReader {
@@ -93,7 +44,8 @@ class CurveReader {
     Defect defect;
     defect.kind = kind;
     defect.curves = {id_};
-    defect.message = fmt::format("curve {} (number {} of the list) {}", id_, index_, what);
+    defect.message =
+        fmt::format("curve {} (number {} of the list) {}", clipped(id_, kQuoted), index_, what);
     defect.remedy = remedy;
     defects_.push_back(defect);
   }
@@ -109,6 +61,10 @@ class CurveReader {
     else
       complain(DefectKind::malformed, "has a curve_id that is neither a number nor a string",
                "name curves by numbers or strings");
+    if (id_.size() <= kLongestId) return;
+    id_ = clipped(id_, kQuoted);
+    complain(DefectKind::limit, fmt::format("has a curve_id of more than {} bytes", kLongestId),
+             "give it a shorter name");
   }
 
   void read_mark(InputCurve& out) {
@@ -130,7 +86,7 @@ class CurveReader {
     }
     if (type != entry_.end() && *type != "BezierCurve") {
       complain(DefectKind::unsupported,
-               "has the type \"" + type->get<std::string>() +
+               "has the type \"" + clipped(type->get_ref<const std::string&>(), kQuoted) +
                    "\"; only polynomial Bezier curves "
                    "(\"BezierCurve\") can be used",
                "approximate it by polynomial Bezier curves");
@@ -177,7 +133,8 @@ class CurveReader {
     if (found == entry_.end()) return;
     if (!found->is_number_integer() || found->get<long long>() != degree)
       complain(DefectKind::malformed,
-               fmt::format("says degree {} but has {} poles", found->dump(), degree + 1),
+               fmt::format("says degree {} but has {} poles",
+                           found->is_number() ? found->dump() : found->type_name(), degree + 1),
                "a curve of degree n has n + 1 poles");
   }
 
@@ -190,18 +147,12 @@ class CurveReader {
 }  // namespace
 
 Drawing read_json(const std::string& text, const std::string& name, const ReadOptions& options) {
-  check_depth(text, options.max_depth);
-  const json root = parse(text);
-  const json& list = curve_list(root);
-  if (list.size() > options.max_curves)
-    refuse(DefectKind::limit, fmt::format("more than {} curves", options.max_curves),
-           "split the drawing or raise the limit");
   Drawing drawing;
   drawing.name = name;
   std::vector<Defect> defects;
-  drawing.curves.reserve(list.size());
-  for (std::size_t i = 0; i < list.size(); ++i)
-    drawing.curves.push_back(CurveReader(list[i], i, defects).read());
+  for_each_curve(text, options, [&](const json& entry, std::size_t index) {
+    drawing.curves.push_back(CurveReader(entry, index, defects).read());
+  });
   if (!defects.empty()) throw InputError(defects);
   return drawing;
 }

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "base/hostile_text.h"
 #include "c1mesh/shape.h"
 #include "read/formats.h"
 
@@ -15,10 +16,11 @@ namespace detail {
 
 void refuse(DefectKind kind, const std::string& message, const std::string& remedy,
             std::vector<std::string> curves) {
+  constexpr std::size_t kMostBytes = 600;  // messages quote the input, which may say anything
   Defect defect;
   defect.kind = kind;
   defect.curves = std::move(curves);
-  defect.message = message;
+  defect.message = clipped(message, kMostBytes);
   defect.remedy = remedy;
   throw InputError({defect});
 }
@@ -31,7 +33,7 @@ using detail::refuse;
 
 [[noreturn]] void refuse_size(std::size_t max_bytes) {
   refuse(DefectKind::limit, fmt::format("the input is larger than {} bytes", max_bytes),
-         "split the drawing or raise the limit");
+         "split the drawing or raise the limit (--max-bytes)");
 }
 
 // Reads in blocks so that an endless stream stops at the limit rather than filling the memory.

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <set>
 
+#include "base/hostile_text.h"
 #include "read/basic_shapes.h"
 #include "read/formats.h"
 #include "read/scanner.h"
@@ -36,6 +38,22 @@ const std::set<std::string_view> kUnsupported = {"text",
                                                  "audio",
                                                  "canvas",
                                                  "iframe"};
+
+// How much of an id, a tag, a reference is quoted; names of files are made of ids.
+constexpr std::size_t kQuoted = 100;
+
+// A node of the parser's tree takes sixteen times the bytes of the shortest element, so the tree is
+// bounded before it grows: so many elements and attributes for every curve that may be.
+void check_size(const std::string& text, const ReadOptions& options) {
+  constexpr std::size_t kNodesPerCurve = 10;
+  const auto nodes =
+      std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; });
+  if (static_cast<std::size_t>(nodes) / kNodesPerCurve > options.max_curves)
+    refuse(DefectKind::limit,
+           fmt::format("the file has {} elements and attributes, too many for {} curves", nodes,
+                       options.max_curves),
+           "simplify the drawing or raise the limit (--max-curves)");
+}
 
 pugi::xml_attribute href(const pugi::xml_node& node) {
   const pugi::xml_attribute plain = node.attribute("href");
@@ -79,14 +97,20 @@ Affine own_transform(const pugi::xml_node& node) {
 
 }  // namespace
 
-std::string label_of(const pugi::xml_node& element) {
-  const std::string id = element.attribute("id").value();
-  return id.empty() ? fmt::format("<{}>", local_name(element)) : id;
+std::string id_of(const pugi::xml_node& element) {
+  return clipped(element.attribute("id").value(), kQuoted);
 }
 
-void load_svg(const std::string& text, pugi::xml_document& document) {
+std::string label_of(const pugi::xml_node& element) {
+  const std::string id = id_of(element);
+  return id.empty() ? fmt::format("<{}>", clipped(local_name(element), kQuoted)) : id;
+}
+
+void load_svg(const std::string& text, const ReadOptions& options, pugi::xml_document& document) {
+  check_size(text, options);
   const pugi::xml_parse_result result =
       document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);
+  if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
   if (!result)
     refuse(DefectKind::malformed,
            fmt::format("not well-formed XML at byte {}: {}", result.offset, result.description()),
@@ -132,15 +156,30 @@ void SvgWalk::children(const pugi::xml_node& node, const Drawn& context, int dep
   if (depth > options_.max_depth)
     refuse(DefectKind::limit,
            fmt::format("elements are nested deeper than {} levels", options_.max_depth),
-           "ungroup the drawing");
+           "ungroup the drawing, or raise the limit (--max-depth)");
   for (const pugi::xml_node& child : node.children())
     if (child.type() == pugi::node_element) element(child, context, depth);
 }
 
-void SvgWalk::element(const pugi::xml_node& node, Drawn context, int depth) {
-  if (++visits_ > 2 * options_.max_curves)
+// Nested `use` multiplies a few bytes: the drawing must stay within the limits written out.
+void SvgWalk::charge(const pugi::xml_node& node) {
+  constexpr int kStyleReadings = 8;  // each property that matters is sought in it
+  if (++visits_ / 2 > options_.max_curves)
     refuse(DefectKind::limit, "the drawing has too many elements (each use counts anew)",
-           "simplify the drawing or raise the limit");
+           "simplify the drawing or raise the limit (--max-curves)");
+  for (const pugi::xml_attribute& attribute : node.attributes()) {
+    const std::size_t size = std::string_view(attribute.value()).size();
+    bytes_ += std::string_view(attribute.name()) == "style" ? kStyleReadings * size : size;
+  }
+  if (bytes_ > options_.max_bytes)
+    refuse(DefectKind::limit,
+           fmt::format("the drawing, its use elements written out, is larger than {} bytes",
+                       options_.max_bytes),
+           "simplify the drawing or raise the limit (--max-bytes)");
+}
+
+void SvgWalk::element(const pugi::xml_node& node, Drawn context, int depth) {
+  charge(node);
   const std::string_view tag = local_name(node);
   if (kSilent.count(tag)) return;
   if (kUnsupported.count(tag)) {
@@ -175,17 +214,20 @@ void SvgWalk::use(const pugi::xml_node& node, Drawn context, int depth) {
   const auto found =
       target.size() > 1 && target[0] == '#' ? by_id_.find(target.substr(1)) : by_id_.end();
   if (found == by_id_.end())
-    refuse(DefectKind::malformed, "a use element refers to '" + target + "', which is not there",
+    refuse(DefectKind::malformed,
+           "a use element refers to '" + clipped(target, kQuoted) + "', which is not there",
            "include the element it refers to", {label_of(node)});
   const pugi::xml_node used = found->second;
   if (std::find(being_used_.begin(), being_used_.end(), used) != being_used_.end())
     refuse(DefectKind::malformed,
-           "use elements refer to each other in a circle at '" + target + "'", "break the circle",
-           {label_of(node)});
+           "use elements refer to each other in a circle at '" + clipped(target, kQuoted) + "'",
+           "break the circle", {label_of(node)});
   context.to_user =
       context.to_user * translation(length(node, "x").value_or(0), length(node, "y").value_or(0));
   if (depth + 1 > options_.max_depth)
-    refuse(DefectKind::limit, "use elements are nested too deeply", "flatten the drawing");
+    refuse(DefectKind::limit,
+           fmt::format("use elements are nested deeper than {} levels", options_.max_depth),
+           "flatten the drawing, or raise the limit (--max-depth)");
   being_used_.push_back(used);
   if (local_name(used) == "symbol") {
     context.style = inherit(context.style, used);

@@ -15,8 +15,8 @@
 namespace c1mesh::detail {
 
 /// Parses `text`. Throws InputError: not well formed (a file that was cut short is), entities
-/// declared, root not <svg>.
-void load_svg(const std::string& text, pugi::xml_document& document);
+/// declared, root not <svg>, more elements and attributes than so many curves need.
+void load_svg(const std::string& text, const ReadOptions& options, pugi::xml_document& document);
 
 /// An element to be drawn, with what its ancestors (and the `use` elements that led to it) say.
 struct Drawn {
@@ -39,6 +39,7 @@ class SvgWalk {
 
  private:
   void index_ids(const pugi::xml_node& root);
+  void charge(const pugi::xml_node& node);
   void element(const pugi::xml_node& node, Drawn context, int depth);
   void children(const pugi::xml_node& node, const Drawn& context, int depth);
   void use(const pugi::xml_node& node, Drawn context, int depth);
@@ -50,10 +51,13 @@ class SvgWalk {
   std::map<std::string, pugi::xml_node> by_id_;
   std::vector<pugi::xml_node> being_used_;
   std::map<std::string, int> ignored_;
-  std::size_t visits_ = 0;
+  std::size_t visits_ = 0, bytes_ = 0;
 };
 
-/// How messages name an element: its id, or its tag.
+/// How messages and curves name an element: its id (the beginning, if it is long), or nothing.
+std::string id_of(const pugi::xml_node& element);
+
+/// As `id_of`, or the tag of an element without id.
 std::string label_of(const pugi::xml_node& element);
 
 }  // namespace c1mesh::detail

@@ -2,6 +2,7 @@
 // SVG drawings: every filled element becomes a Drawing, y turned upward.
 #include <fmt/format.h>
 
+#include <map>
 #include <set>
 
 #include "read/basic_shapes.h"
@@ -29,17 +30,29 @@ std::string file_safe(std::string text) {
   return text;
 }
 
-std::string unused(const std::string& wanted, std::set<std::string>& taken) {
-  std::string name = wanted;
-  for (int k = 2; !taken.insert(name).second; ++k) name = fmt::format("{}-{}", wanted, k);
-  return name;
-}
+// Names handed out once each: `wanted`, or with "-2", "-3", … appended.
+class Names {
+ public:
+  std::string claim(const std::string& wanted) {
+    if (taken_.insert(wanted).second) return wanted;
+    // Where the last search ended: a drawing may give one id to all its elements.
+    int& number = last_.emplace(wanted, 1).first->second;
+    while (true) {
+      std::string name = fmt::format("{}-{}", wanted, ++number);
+      if (taken_.insert(name).second) return name;
+    }
+  }
+
+ private:
+  std::set<std::string> taken_;
+  std::map<std::string, int> last_;
+};
 
 class SvgReader {
  public:
   SvgReader(const std::string& text, const std::string& name, const ReadOptions& options)
       : name_(name), options_(options) {
-    load_svg(text, document_);
+    load_svg(text, options, document_);
   }
 
   std::vector<Drawing> read() {
@@ -64,7 +77,7 @@ class SvgReader {
       ++unfilled_;
       return;
     }
-    const std::string id = drawn.element.attribute("id").value();
+    const std::string id = id_of(drawn.element);
     const std::string label =
         id.empty() ? fmt::format("{}{}", local_name(drawn.element), ordinal_) : id;
     if (feature) {
@@ -89,7 +102,7 @@ class SvgReader {
     Drawing out;
     out.fill_rule = drawn.style.rule;
     const Affine map = scaling(1, -1) * drawn.to_user;
-    const std::string prefix = unused(label, curve_prefixes_);
+    const std::string prefix = curve_prefixes_.claim(label);
     for (const auto& subpath : outline.subpaths)
       for (BezierCurve curve : subpath) {
         for (Point& p : curve.poles) p = map(p);
@@ -98,7 +111,7 @@ class SvgReader {
     curve_count_ += out.curves.size();
     if (curve_count_ > options_.max_curves)
       refuse(DefectKind::limit, fmt::format("more than {} curves", options_.max_curves),
-             "split the drawing or raise the limit");
+             "split the drawing or raise the limit (--max-curves)");
     if (outline.arcs > 0)
       out.notes.push_back(note(fmt::format(
           "{}: {} elliptical arc{} became cubics; largest error {:.3g} in the drawing's units",
@@ -122,11 +135,11 @@ class SvgReader {
   }
 
   void name_drawings() {
-    std::set<std::string> taken;
+    Names names;
     for (std::size_t i = 0; i < drawings_.size(); ++i)
       drawings_[i].name = drawings_.size() == 1 || options_.together
                               ? name_
-                              : unused(name_ + "-" + file_safe(labels_[i]), taken);
+                              : names.claim(name_ + "-" + file_safe(labels_[i]));
   }
 
   // The elements' own fill rules say nothing about the whole: as for JSON, even-odd does.
@@ -148,7 +161,7 @@ class SvgReader {
   const ReadOptions& options_;
   std::vector<Drawing> drawings_, features_;
   std::vector<std::string> labels_;  // per drawing: its element's id or ordinal
-  std::set<std::string> curve_prefixes_;
+  Names curve_prefixes_;
   std::size_t curve_count_ = 0;
   int ordinal_ = 0, unfilled_ = 0;
 };
