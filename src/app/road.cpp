@@ -30,6 +30,7 @@ std::vector<OutputFile> output_files(const RunOptions& options, const Result& re
     if (options.wants(mesh))
       for (const char* part : {".", ".domain."})
         files.push_back({stem + part + mesh, convert(result, stem + part + mesh)});
+  if (options.wants("html")) files.push_back({stem + ".html", format_html(result)});
   if (options.wants("obj")) files.push_back({stem + ".obj", format_obj(result)});
   return files;
 }
