@@ -94,6 +94,12 @@ std::string format_mfem(const Result& result, bool domain = false);
 /// of a much distorted triangle can turn over in the shape.
 std::string format_obj(const Result& result, int tessellation = 8);
 
+/// A page to explore the result in a browser, complete in one file (docs/page.md): both sides,
+/// layers, the map and its inverse under the pointer, the metrics. It holds the text of
+/// format_result() bit for bit, so the same result gives the same bytes. No name in the result can
+/// become mark-up or script of the page.
+std::string format_html(const Result& result);
+
 struct ConvertOptions {
   VtuCells cells = VtuCells::bezier;  ///< of .vtu
   int tessellation = 8;               ///< of .obj: pieces along each edge
@@ -103,7 +109,8 @@ struct ConvertOptions {
 std::vector<std::string> convertible_extensions();
 
 /// The result as text for a file of this name, by its extension: `.vtu`, `.msh`, `.mesh` (MFEM;
-/// `.domain.vtu` and so on: the domain mesh), `.obj`, `.svg`, `.json`. Throws InputError
+/// `.domain.vtu` and so on: the domain mesh), `.obj`, `.svg`, `.html`, `.json`. Throws
+/// InputError
 /// (unsupported) for any other.
 std::string convert(const Result& result, const std::string& path,
                     const ConvertOptions& options = {});

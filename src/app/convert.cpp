@@ -41,8 +41,9 @@ Command add_convert(CLI::App& app) {
   CLI::App* cli = app.add_subcommand("convert", "Write a result in another format, by extension");
   cli->add_option("RESULT", arguments->result, "NAME.c1.json")->required();
   cli->add_option("-o,--output", arguments->output,
-                  "NAME.vtu (VTK), NAME.msh (Gmsh), NAME.mesh (MFEM), NAME.obj, NAME.svg or "
-                  "NAME.json; NAME.domain.vtu, .domain.msh, .domain.mesh: the domain mesh")
+                  "NAME.vtu (VTK), NAME.msh (Gmsh), NAME.mesh (MFEM), NAME.obj, NAME.svg, "
+                  "NAME.html (a page to explore it) or NAME.json; NAME.domain.vtu, .domain.msh, "
+                  ".domain.mesh: the domain mesh")
       ->required()
       ->check(check_extension);
   cli->add_flag("--lagrange", arguments->lagrange,

@@ -44,6 +44,7 @@ std::vector<OutputFile> output_files(const RunOptions& options, const Outcome& o
         files.push_back({stem + part + mesh, convert(result, stem + part + mesh)});
   if (options.wants("cert"))
     files.push_back({stem + ".cert.json", format_certificate(outcome.report.certificate)});
+  if (options.wants("html")) files.push_back({stem + ".html", format_html(result)});
   if (options.wants("obj")) files.push_back({stem + ".obj", format_obj(result)});
   return files;
 }

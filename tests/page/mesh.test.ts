@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from "node:assert/strict";
+import test from "node:test";
+import { Blend, toUnit } from "../../page/src/blend";
+import { ellipseAxes } from "../../page/src/hover";
+import { Locator } from "../../page/src/locate";
+import { EdgeKind, buildMesh, edgeDeviation, sample, turnedIndex } from "../../page/src/mesh";
+import { Barycentric, Local, netIndex } from "../../page/src/bernstein";
+import { jacobianOf, kBent, near, random, randomPlace, squareModel, valueOf } from "./fixture";
+
+test("a sample is the map and its Jacobian", () => {
+  const model = squareModel(3, kBent, 4), draw = random(2);
+  for (let t = 0; t < model.triangleCount; ++t) {
+    const p = sample(model, t, randomPlace(draw)), [x, y] = valueOf(kBent, p.u, p.v), j = jacobianOf(kBent, p.u, p.v);
+    near(p.x, x, 1e-12);
+    near(p.y, y, 1e-12);
+    j.forEach((value, k) => near(p.jacobian[k], value, 1e-10));
+    near(p.det, j[0] * j[3] - j[1] * j[2], 1e-9);
+  }
+});
+
+test("the Jacobian agrees with differences of the map", () => {
+  const model = squareModel(5, kBent, 2), at: Barycentric = [0.3, 0.3, 0.4], h = 1e-6;
+  const p = sample(model, 3, at), a = sample(model, 3, [0.3 - h, 0.3 + h, 0.4]), b = sample(model, 3, [0.3 + h, 0.3 - h, 0.4]);
+  near(a.x - b.x, p.jacobian[0] * (a.u - b.u) + p.jacobian[2] * (a.v - b.v), 1e-12);
+  near(a.y - b.y, p.jacobian[1] * (a.u - b.u) + p.jacobian[3] * (a.v - b.v), 1e-12);
+});
+
+test("locating inverts the map, on the shape, in the domain and between", () => {
+  for (const n of [3, 4]) {
+    const model = squareModel(n, kBent, 6, 9), blend = new Blend(model), draw = random(4);
+    for (const s of [1, 0.5, 0]) {
+      const locator = new Locator(blend, s), p: Local = { x: 0, y: 0, xs: 0, ys: 0, xt: 0, yt: 0 };
+      for (let t = 0; t < model.triangleCount; ++t) {
+        const at = randomPlace(draw);
+        blend.evaluate(t, s, at, p);
+        const found = locator.find(p.x, p.y);
+        assert.ok(found);
+        assert.equal(found.triangle, t);
+        at.forEach((value, k) => near(found.at[k], value, 1e-9));
+      }
+    }
+  }
+});
+
+test("points on vertices and edges are found, points outside are not", () => {
+  const model = squareModel(3, kBent, 3), blend = new Blend(model), locator = new Locator(blend, 1);
+  for (let v = 0; v < model.vertexCount; ++v) {
+    const [x, y] = valueOf(kBent, model.domain[2 * v], model.domain[2 * v + 1]);
+    assert.ok(locator.find(...toUnit(model.shapeFrame, x, y)), `vertex ${v}`);
+  }
+  for (const [u, v] of [[-0.02, 0.5], [0.5, 1.02], [1.02, 0.3], [0.4, -0.02], [9, 9]]) {
+    const [x, y] = valueOf(kBent, u, v);
+    assert.equal(locator.find(...toUnit(model.shapeFrame, x, y)), null);
+  }
+  assert.equal(locator.find(NaN, 0), null);
+});
+
+test("turned indices name the same control points from every corner", () => {
+  for (const n of [3, 4])
+    for (let j = 0; j <= n; ++j)
+      for (let i = 0; i <= n - j; ++i) {
+        const exponents = [n - i - j, i, j], expected = netIndex(n, i, j);
+        for (let k = 0; k < 3; ++k)
+          assert.equal(turnedIndex(n, k, exponents[(k + 1) % 3], exponents[(k + 2) % 3]), expected);
+      }
+});
+
+test("one polynomial is C1 everywhere; a moved control point is off by its move", () => {
+  const model = squareModel(3, kBent, 3), mesh = buildMesh(model);
+  assert.ok(mesh.largestDeviation < 1e-14, String(mesh.largestDeviation));
+  assert.equal(mesh.c1Edges, mesh.interiorEdges);
+  const edge = mesh.edges.find((e) => e.kind === EdgeKind.smooth);
+  assert.ok(edge);
+  const id = model.nets[edge.triangle[1] * model.netSize + turnedIndex(3, edge.corner[1], 1, 1)];
+  model.points[2 * id] += 0.003;
+  model.points[2 * id + 1] -= 0.004;
+  // Seen from the other side it is divided by |g2|, the ratio of the heights over the edge.
+  const height = (s: 0 | 1) => {
+    const far = model.triangles[3 * edge.triangle[s] + ((edge.corner[s] + 2) % 3)], d = model.domain;
+    return Math.abs((d[2 * edge.b] - d[2 * edge.a]) * (d[2 * far + 1] - d[2 * edge.a + 1]) -
+                    (d[2 * edge.b + 1] - d[2 * edge.a + 1]) * (d[2 * far] - d[2 * edge.a]));
+  };
+  near(edgeDeviation(model, edge), 0.005 * Math.max(1, height(0) / height(1)), 1e-12);
+});
+
+test("edges, kinds and loops of a square", () => {
+  const model = squareModel(3, kBent, 4);
+  model.relaxed.push([0, 6]);
+  model.features.push({ a: 6, b: 12, curve: 0 });
+  const mesh = buildMesh(model), count = (kind: EdgeKind) => mesh.edges.filter((e) => e.kind === kind).length;
+  assert.equal(mesh.edges.length, 3 * 16 + 2 * 4);  // Euler: V - E + T = 1
+  assert.equal(count(EdgeKind.boundary), 16);
+  assert.equal(count(EdgeKind.relaxed), 1);
+  assert.equal(count(EdgeKind.feature), 1);
+  assert.equal(mesh.interiorEdges - mesh.c1Edges, 2);
+  assert.equal(mesh.loops.length, 1);
+  mesh.loops[0].forEach((e, k) => assert.equal(e.b, mesh.loops[0][(k + 1) % 16].a));
+});
+
+test("the ellipse has the circle's area and is the image of the circle", () => {
+  const model = squareModel(3, kBent, 3), p = sample(model, 4, [0.2, 0.3, 0.5]);
+  ellipseAxes(model, p, 0).forEach((value, k) => near(value, [26, 0, 0, 26][k], 0));
+  const [a, b, c, d] = ellipseAxes(model, p, 1);
+  near(a * d - b * c, 26 * 26, 1e-9);
+  p.jacobian.forEach((value, k) => near([a, b, c, d][k] / a, value / p.jacobian[0], 1e-12));
+});
