@@ -29,8 +29,8 @@ export interface Mesh {
   /** Edges where C1 is asked. */
   c1Edges: number;
   interiorEdges: number;
-  /** Boundary edges, loop after loop, each in running order. */
-  loops: Edge[][];
+  /** The boundary, loop after loop. */
+  loops: Side[][];
 }
 
 /** The control points of triangle t into `out` (2 netSize numbers), in the input's units. */
@@ -143,21 +143,44 @@ function collectEdges(model: Model): { edges: Edge[]; index: Map<number, number>
   return { edges, index };
 }
 
-function boundaryLoops(edges: Edge[]): Edge[][] {
-  const from = new Map<number, Edge[]>();
-  const all = edges.filter((e) => e.kind === EdgeKind.boundary);
-  for (const e of all) from.set(e.a, [...(from.get(e.a) ?? []), e]);
-  const loops: Edge[][] = [], used = new Set<Edge>();
-  for (const start of all) {
-    const loop: Edge[] = [];
-    for (let e: Edge | undefined = start; e && !used.has(e);) {
-      used.add(e);
-      loop.push(e);
-      e = from.get(e.b)?.find((next) => !used.has(next));
+/** A side of a triangle, from its corner to the next, the triangle on its left. */
+export interface Side {
+  triangle: number;
+  corner: number;
+  a: number;
+  b: number;
+}
+
+/** Sides in closed runs, each beginning where the one before it ends. */
+export function loopsOf(sides: Side[]): Side[][] {
+  const from = new Map<number, Side[]>();
+  for (const side of sides) {
+    const known = from.get(side.a);
+    if (known) known.push(side);
+    else from.set(side.a, [side]);
+  }
+  const loops: Side[][] = [], used = new Set<Side>();
+  for (const start of sides) {
+    const loop: Side[] = [];
+    for (let side: Side | undefined = start; side && !used.has(side);) {
+      used.add(side);
+      loop.push(side);
+      side = from.get(side.b)?.find((next) => !used.has(next));
     }
     if (loop.length) loops.push(loop);
   }
   return loops;
+}
+
+/** The sides between triangles for which `inside` holds and others, or the outside. */
+export function outline(edges: Edge[], inside: (triangle: number) => boolean): Side[][] {
+  const sides: Side[] = [];
+  for (const { a, b, triangle, corner } of edges) {
+    const left = inside(triangle[0]), right = triangle[1] >= 0 && inside(triangle[1]);
+    if (left && !right) sides.push({ triangle: triangle[0], corner: corner[0], a, b });
+    if (right && !left) sides.push({ triangle: triangle[1], corner: corner[1], a: b, b: a });
+  }
+  return loopsOf(sides);
 }
 
 export function buildMesh(model: Model): Mesh {
@@ -172,7 +195,7 @@ export function buildMesh(model: Model): Mesh {
   const net = new Float64Array(2 * model.netSize), bounds = new JacobianBounds(model.degree);
   const mesh: Mesh = {
     edges, distortion, deviation, largestDeviation: 0, leastDet: Infinity, largestDistortion: 2,
-    c1Edges: 0, interiorEdges: 0, loops: boundaryLoops(edges),
+    c1Edges: 0, interiorEdges: 0, loops: outline(edges, () => true),
   };
   for (const edge of edges) {
     if (edge.triangle[1] < 0) continue;

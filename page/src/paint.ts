@@ -41,8 +41,8 @@ export class Painter {
     const level = Painter.levelAt(zoom), stroke = this.stroker(c, view, s);
     c.lineCap = "butt";
     c.lineJoin = "round";
-    this.fill(c, view, s, this.scene.boundary(), palette.paper);
-    if (layers.colour !== "none") this.colour(c, view, s, layers.colour, palette);
+    if (layers.colour === "none") this.fill(c, view, s, this.scene.boundary(), palette.paper);
+    else this.colour(c, view, s, layers.colour, layers.mesh, palette);
     if (layers.checker) this.fill(c, view, s, this.scene.checker(level, s, view), palette.checker);
     if (layers.iso) {
       stroke(this.scene.iso(level, 0, s, view), palette.u, 0.9);
@@ -80,24 +80,18 @@ export class Painter {
     c.fill();
   }
 
-  // One path per colour. Neighbours of two colours would show the paper between them, where both
-  // cover a pixel in part: each is outlined in its own colour, too.
-  private colour(c: CanvasRenderingContext2D, view: View, s: number, by: "distortion" | "deviation", palette: Palette): void {
+  // One path per colour. Where two colours both cover a pixel in part what is below would show: that
+  // is the middle colour, under a line of the mesh or, without it, of the triangle's own colour.
+  private colour(c: CanvasRenderingContext2D, view: View, s: number, by: "distortion" | "deviation", meshAbove: boolean,
+                 palette: Palette): void {
     const values = this.scene.mesh[by], scale = this.scales[by];
+    this.fill(c, view, s, this.scene.boundary(), mixScale(palette.scale, 0.5));
     for (let step = 0; step < kSteps; ++step) {
-      const curves = this.scene.outlines(`${by} ${step}`, () => {
-        const out: number[] = [];
-        values.forEach((value, t) => {
-          if (stepOf(scale, value) === step) out.push(t);
-        });
-        return out;
-      });
+      const curves = this.scene.outline(`${by} ${step}`, (t) => stepOf(scale, values[t]) === step);
       if (!curves.length) continue;
-      const colour = mixScale(palette.scale, step / (kSteps - 1));
-      c.beginPath();
-      trace(c, curves, s, view, Outside.chords);
-      c.fillStyle = c.strokeStyle = colour;
-      c.fill();
+      this.fill(c, view, s, curves, mixScale(palette.scale, step / (kSteps - 1)));
+      if (meshAbove) continue;
+      c.strokeStyle = c.fillStyle;
       c.lineWidth = 0.6;
       c.stroke();
     }

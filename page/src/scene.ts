@@ -5,7 +5,7 @@ import { Blend } from "./blend";
 import { CurveBuilder, View } from "./curves";
 import { Model } from "./data";
 import { Grid, Part, Piece, checkerPieces, gridOf, isoPieces, lineCount, quarters, wholeTriangle } from "./lines";
-import { Edge, EdgeKind, Mesh, cornerPlace } from "./mesh";
+import { EdgeKind, Mesh, Side, cornerPlace, outline } from "./mesh";
 
 /** Lines in one part at most, before it is cut to see which quarters are visible. */
 const kLinesPerPart = 8;
@@ -44,13 +44,13 @@ export class Scene {
   }
 
   boundary(): Float64Array {
-    return this.keep("boundary", () => this.mesh.loops.forEach((loop) => loop.forEach((e) => this.addEdge(e))));
+    return this.keep("boundary", () => this.addSides(this.mesh.loops));
   }
 
   edges(kind: EdgeKind): Float64Array {
     return this.keep(`edges ${kind}`, () =>
       this.mesh.edges.forEach((e) => {
-        if (e.kind === kind) this.addEdge(e);
+        if (e.kind === kind) this.addSide(e.triangle[0], e.corner[0]);
       }));
   }
 
@@ -66,9 +66,9 @@ export class Scene {
     return this.builder.take();
   }
 
-  /** Outlines of many triangles, one after the other. */
-  outlines(key: string, triangles: () => number[]): Float64Array {
-    return this.keep(key, () => triangles().forEach((t) => this.addLoop(t, [0, 1, 2].map(cornerPlace))));
+  /** The outline of the triangles for which `inside` holds. */
+  outline(key: string, inside: (triangle: number) => boolean): Float64Array {
+    return this.keep(key, () => this.addSides(outline(this.mesh.edges, inside)));
   }
 
   iso(level: number, axis: number, s: number, view: View): Float64Array {
@@ -118,9 +118,12 @@ export class Scene {
     return boxSize(this.part, view) > 0;
   }
 
-  private addEdge(edge: Edge): void {
-    const k = edge.corner[0];
-    this.builder.add(edge.triangle[0], cornerPlace(k), cornerPlace((k + 1) % 3));
+  private addSide(triangle: number, corner: number): void {
+    this.builder.add(triangle, cornerPlace(corner), cornerPlace((corner + 1) % 3));
+  }
+
+  private addSides(loops: Side[][]): void {
+    for (const loop of loops) for (const side of loop) this.addSide(side.triangle, side.corner);
   }
 
   private addLoop(t: number, places: readonly Barycentric[]): void {

@@ -121,7 +121,11 @@ test("a click pins, Escape lets go", async (browser) => {
 });
 
 test("wheel and drag, linked and apart", async (browser) => {
-  const page = await browser.open(url("puzzle.html")), [x, y] = await placeOf(page, "shape", 40, [0.3, 0.3, 0.4]);
+  const page = await browser.open(url("puzzle.html"));
+  // A whole pixel: that is what a wheel reports.
+  const [x, y] = (await placeOf(page, "shape", 40, [0.3, 0.3, 0.4])).map(Math.round);
+  await page.hover(x, y);
+  const { triangle, at } = (await state(page)).point;
   const before = await fingerprint(page, "domain");
   for (let k = 0; k < 8; ++k) await page.wheel(x, y, -300);
   let now = await state(page);
@@ -129,11 +133,11 @@ test("wheel and drag, linked and apart", async (browser) => {
   assert.equal(now.domain.zoom, now.shape.zoom);
   assert.notEqual(await fingerprint(page, "domain"), before);
   // What was under the pointer still is; the other view has its image in sight.
-  const after = await placeOf(page, "shape", 40, [0.3, 0.3, 0.4]);
+  const after = await placeOf(page, "shape", triangle, at);
   near(after[0], x, 0.01);
   near(after[1], y, 0.01);
   await page.drag(x, y, 80, 30);
-  const moved = await placeOf(page, "shape", 40, [0.3, 0.3, 0.4]);
+  const moved = await placeOf(page, "shape", triangle, at);
   near(moved[0] - x, 80, 0.01);
   near(moved[1] - y, 30, 0.01);
   await page.press("0");
@@ -381,8 +385,8 @@ for (const [triangles, cuts] of [["5,000", 6], ["50,000", 18]])
       for (const key of layers) await page.press(key);
       const times = Object.entries(await frameTimes(page)).map(([what, t]) => `${what} ${t.median.toFixed(0)} (${t.worst.toFixed(0)})`);
       console.log(`  ${count} triangles, ${layers.length ? `and layer ${layers}` : "default layers"}: ms per frame, median (worst): ${times.join(", ")}`);
-      for (const key of layers) await page.press(key === "8" ? key : key);
-      if (layers[0] === "8") await page.press("8");
+      // Back; the colours go round.
+      for (const key of layers) for (let k = 0; k < (key === "8" ? 2 : 1); ++k) await page.press(key);
     }
     const [x, y] = await placeOf(page, "shape", count >> 1, [0.3, 0.3, 0.4]);
     await page.hover(x, y);
@@ -403,7 +407,8 @@ let failed = 0;
 for (const [name, body] of tests.filter(([name]) => !only || name.includes(only))) {
   try {
     const page = await body(browser);
-    assert.deepEqual(page.complaints, []);
+    // The test reads pixels back, the page does not.
+    assert.deepEqual(page.complaints.filter((c) => !c.includes("willReadFrequently")), []);
     assert.deepEqual(page.requests.filter((u) => !u.startsWith("file:") && !u.startsWith("data:")), []);
     assert.equal(page.requests.filter((u) => u.startsWith("file:")).length, 1);
     console.log(`ok: ${name}`);

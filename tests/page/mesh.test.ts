@@ -4,7 +4,7 @@ import test from "node:test";
 import { Blend, toUnit } from "../../page/src/blend";
 import { ellipseAxes } from "../../page/src/hover";
 import { Locator } from "../../page/src/locate";
-import { EdgeKind, buildMesh, edgeDeviation, sample, turnedIndex } from "../../page/src/mesh";
+import { EdgeKind, buildMesh, cornersOf, edgeDeviation, outline, sample, turnedIndex } from "../../page/src/mesh";
 import { Barycentric, Local, netIndex } from "../../page/src/bernstein";
 import { jacobianOf, kBent, near, random, randomPlace, squareModel, valueOf } from "./fixture";
 
@@ -96,6 +96,28 @@ test("edges, kinds and loops of a square", () => {
   assert.equal(mesh.interiorEdges - mesh.c1Edges, 2);
   assert.equal(mesh.loops.length, 1);
   mesh.loops[0].forEach((e, k) => assert.equal(e.b, mesh.loops[0][(k + 1) % 16].a));
+});
+
+test("outlines close, and bound what they should", () => {
+  const model = squareModel(3, kBent, 6), { edges } = buildMesh(model), draw = random(6);
+  for (let round = 0; round < 20; ++round) {
+    const chosen = new Set<number>();
+    for (let t = 0; t < model.triangleCount; ++t) if (draw() < 0.5) chosen.add(t);
+    let doubled = 0;
+    for (const loop of outline(edges, (t) => chosen.has(t)))
+      loop.forEach((side, k) => {
+        assert.equal(side.b, loop[(k + 1) % loop.length].a);
+        assert.ok(chosen.has(side.triangle));
+        const [au, av, bu, bv] = [side.a, side.b].flatMap((v) => [model.domain[2 * v], model.domain[2 * v + 1]]);
+        doubled += au * bv - av * bu;
+      });
+    let expected = 0;
+    for (const t of chosen) {
+      const [au, av, bu, bv, cu, cv] = cornersOf(model, t);
+      expected += (bu - au) * (cv - av) - (bv - av) * (cu - au);
+    }
+    near(doubled, expected, 1e-12);
+  }
 });
 
 test("the ellipse has the circle's area and is the image of the circle", () => {
