@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn: cubic curves that know where they are on the shape and in the domain, and how
-// they become a path at any s and any magnification.
+// they become a path, at any s (blend.ts) and any magnification.
 import { Barycentric, segment } from "./bernstein";
-import { Blend } from "./blend";
+import { Blend, Mix } from "./blend";
 
 /** A path, such as a canvas context. */
 export interface Pen {
@@ -88,18 +88,18 @@ export const enum Outside { left, chords }
  * Adds the curves to a path. Those that follow one another are joined; with `Outside.chords` (for
  * filling) none is left out.
  */
-export function trace(pen: Pen, curves: Float64Array, s: number, view: View, outside: Outside): void {
-  const { ox, oy, scale } = view, r = 1 - s;
+export function trace(pen: Pen, curves: Float64Array, mix: Mix, view: View, outside: Outside): void {
+  const { ox, oy, scale } = view, { ar, ai, br, bi } = mix;
   let endX = NaN, endY = NaN;
   for (let k = 0; k < curves.length; k += kStride) {
-    const ax = ox + scale * (s * curves[k] + r * curves[k + 8]);
-    const ay = oy - scale * (s * curves[k + 1] + r * curves[k + 9]);
-    const bx = ox + scale * (s * curves[k + 2] + r * curves[k + 10]);
-    const by = oy - scale * (s * curves[k + 3] + r * curves[k + 11]);
-    const cx = ox + scale * (s * curves[k + 4] + r * curves[k + 12]);
-    const cy = oy - scale * (s * curves[k + 5] + r * curves[k + 13]);
-    const dx = ox + scale * (s * curves[k + 6] + r * curves[k + 14]);
-    const dy = oy - scale * (s * curves[k + 7] + r * curves[k + 15]);
+    const ax = ox + scale * (ar * curves[k] - ai * curves[k + 1] + br * curves[k + 8] - bi * curves[k + 9]);
+    const ay = oy - scale * (ai * curves[k] + ar * curves[k + 1] + bi * curves[k + 8] + br * curves[k + 9]);
+    const bx = ox + scale * (ar * curves[k + 2] - ai * curves[k + 3] + br * curves[k + 10] - bi * curves[k + 11]);
+    const by = oy - scale * (ai * curves[k + 2] + ar * curves[k + 3] + bi * curves[k + 10] + br * curves[k + 11]);
+    const cx = ox + scale * (ar * curves[k + 4] - ai * curves[k + 5] + br * curves[k + 12] - bi * curves[k + 13]);
+    const cy = oy - scale * (ai * curves[k + 4] + ar * curves[k + 5] + bi * curves[k + 12] + br * curves[k + 13]);
+    const dx = ox + scale * (ar * curves[k + 6] - ai * curves[k + 7] + br * curves[k + 14] - bi * curves[k + 15]);
+    const dy = oy - scale * (ai * curves[k + 6] + ar * curves[k + 7] + bi * curves[k + 14] + br * curves[k + 15]);
     const hidden = isHidden(view, ax, ay, bx, by, cx, cy, dx, dy);
     if (hidden && outside === Outside.left) {
       endX = NaN;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The point under the pointer on both sides: its triangle, the images of its horizontal and vertical
 // line, and the ellipse that the Jacobian makes of a circle.
+import { Blend } from "./blend";
 import { Palette } from "./colour";
 import { Outside, View, trace } from "./curves";
-import { Model } from "./data";
 import { wholeLine } from "./lines";
 import { Sample, sample } from "./mesh";
 import { Place } from "./locate";
@@ -33,10 +33,11 @@ const kRadius = 26;
 const kLongestAxis = 96;
 
 /** d/du, d/dv of the normalised map at s, scaled so that a unit circle becomes an ellipse in pixels. */
-export function ellipseAxes(model: Model, point: Sample, s: number): [number, number, number, number] {
-  const scale = (s * model.domainFrame.extent) / model.shapeFrame.extent;
-  const [a, b, c, d] = point.jacobian.map((x) => x * scale);
-  const m = [a + 1 - s, b, c, d + 1 - s], det = m[0] * m[3] - m[1] * m[2];
+export function ellipseAxes(blend: Blend, point: Sample, s: number): [number, number, number, number] {
+  const { model } = blend, { ar, ai, br, bi } = blend.mix(s);
+  const [a, b, c, d] = point.jacobian.map((x) => (x * model.domainFrame.extent) / model.shapeFrame.extent);
+  const m = [ar * a - ai * b + br, ai * a + ar * b + bi, ar * c - ai * d - bi, ai * c + ar * d + br];
+  const det = m[0] * m[3] - m[1] * m[2];
   // The longer half axis: the largest singular value.
   const norm = m.reduce((sum, x) => sum + x * x, 0);
   const longest = Math.sqrt((norm + Math.sqrt(Math.max(0, norm * norm - 4 * det * det))) / 2);
@@ -46,10 +47,10 @@ export function ellipseAxes(model: Model, point: Sample, s: number): [number, nu
 
 export function paintHover(c: CanvasRenderingContext2D, scene: Scene, hover: Hover, view: View, s: number,
                            palette: Palette): void {
-  const { blend, model } = scene, { triangle, at } = hover.sample;
+  const { blend } = scene, { triangle, at } = hover.sample;
   c.lineJoin = "round";
   c.beginPath();
-  trace(c, hover.outline, s, view, Outside.chords);
+  trace(c, hover.outline, blend.mix(s), view, Outside.chords);
   c.globalAlpha = 0.14;
   c.fillStyle = palette.hover;
   c.fill();
@@ -58,11 +59,11 @@ export function paintHover(c: CanvasRenderingContext2D, scene: Scene, hover: Hov
   c.lineWidth = 1.5;
   c.stroke();
   hover.lines.forEach((curves, axis) => strokeOver(c, palette.halo, axis === 0 ? palette.u : palette.v, 2, () =>
-    trace(c, curves, s, view, Outside.left)));
+    trace(c, curves, blend.mix(s), view, Outside.left)));
   const local = { x: 0, y: 0, xs: 0, ys: 0, xt: 0, yt: 0 };
   blend.evaluate(triangle, s, at, local);
   const x = view.ox + view.scale * local.x, y = view.oy - view.scale * local.y;
-  paintEllipse(c, x, y, ellipseAxes(model, hover.sample, s), palette);
+  paintEllipse(c, x, y, ellipseAxes(blend, hover.sample, s), palette);
   c.beginPath();
   c.arc(x, y, 4, 0, 2 * Math.PI);
   c.fillStyle = palette.hover;

@@ -64,7 +64,7 @@ export class Painter {
     return (curves: Float64Array, colour: string, width: number, dash: number[] = []) => {
       if (!curves.length) return;
       c.beginPath();
-      trace(c, curves, s, view, Outside.left);
+      trace(c, curves, this.scene.blend.mix(s), view, Outside.left);
       c.strokeStyle = colour;
       c.lineWidth = width;
       c.setLineDash(dash);
@@ -75,7 +75,7 @@ export class Painter {
 
   private fill(c: CanvasRenderingContext2D, view: View, s: number, curves: Float64Array, colour: string): void {
     c.beginPath();
-    trace(c, curves, s, view, Outside.chords);
+    trace(c, curves, this.scene.blend.mix(s), view, Outside.chords);
     c.fillStyle = colour;
     c.fill();
   }

@@ -9,6 +9,10 @@ function superscript(power: number): string {
   return (power < 0 ? "\u207b" : "") + [...String(Math.abs(power))].map((d) => kSuperscripts[Number(d)]).join("");
 }
 
+export function powerOfTen(value: number): string {
+  return `10${superscript(Math.round(Math.log10(value)))}`;
+}
+
 /** A number to read, with so many digits; `null` and not finite ones are infinite in a result. */
 export function readable(value: number | null | undefined, digits = 4): string {
   if (value === undefined) return kDash;

@@ -1,74 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// browser_test.mjs C1MESH EXAMPLES REFINED.js FOLDER: pages made by the program, in a real browser.
+// browser_test.mjs C1MESH EXAMPLES FOLDER: pages made by the program, in a real browser.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { readFileSync, renameSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { pathToFileURL } from "node:url";
-import { Browser } from "./devtools.mjs";
-
-const [program, examples, refined, folder] = process.argv.slice(2);
-rmSync(folder, { recursive: true, force: true });
-mkdirSync(folder, { recursive: true });
-const run = (...args) => execFileSync(program, ["--quiet", ...args], { cwd: folder });
-const url = (name) => pathToFileURL(join(folder, name)).href;
-const shot = (page, name) => page.screenshot(join(folder, `${name}.png`));
-
-/** What the page shows: its state in short. `c1mesh` is the page's handle for scripts. */
-const state = (page) => page.evaluate(`(() => {
-  const { hover, panes, layers, linked, pinned } = window.c1mesh;
-  const camera = (pane) => ({ x: pane.camera.x, y: pane.camera.y, zoom: pane.camera.zoom, s: pane.s });
-  return { point: hover && hover.sample, shape: camera(panes.shape), domain: camera(panes.domain), layers, linked, pinned };
-})()`);
-const box = (page, side) => page.evaluate(`(() => {
-  const b = document.querySelector("#${side}-stack").getBoundingClientRect();
-  return { x: b.left, y: b.top, width: b.width, height: b.height };
-})()`);
-/** The rows of figures of the point, by name. */
-const figures = (page) => page.evaluate(`Object.fromEntries(
-  [...document.querySelectorAll("#point-rows tr")].map((r) => [r.cells[0].textContent, r.cells[1].textContent]))`);
-/** How many pixels of a canvas (0: mesh, 1: point) are not transparent within some pixels of a place of the page. */
-const inked = (page, side, canvas, x, y, size) => page.evaluate(`(() => {
-  const c = document.querySelectorAll("#${side}-stack canvas")[${canvas}], b = c.getBoundingClientRect(), r = c.width / b.width;
-  const data = c.getContext("2d").getImageData((${x} - b.left - ${size}) * r, (${y} - b.top - ${size}) * r, 2 * ${size} * r, 2 * ${size} * r).data;
-  let count = 0;
-  for (let k = 3; k < data.length; k += 4) count += data[k] > 0;
-  return count;
-})()`);
-/** A number of the base canvas's pixels: changes with what is drawn. */
-const fingerprint = (page, side) => page.evaluate(`(() => {
-  const c = document.querySelector("#${side}-stack canvas");
-  const data = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
-  let sum = 0;
-  for (let k = 0; k < data.length; ++k) sum = (Math.imul(sum, 31) + data[k]) | 0;
-  return sum;
-})()`);
-/** Where a place of a triangle is on the page. */
-const placeOf = (page, side, triangle, at) => page.evaluate(`(() => {
-  const { scene, panes } = window.c1mesh, pane = panes.${side}, p = { x: 0, y: 0, xs: 0, ys: 0, xt: 0, yt: 0 };
-  scene.blend.evaluate(${triangle}, pane.s, ${JSON.stringify(at)}, p);
-  const [x, y] = pane.camera.toScreen(p.x, p.y), b = pane.stack.getBoundingClientRect();
-  return [b.left + x, b.top + y];
-})()`);
-const number = (text) => Number(text.replace("\u2212", "-"));
-const near = (a, b, tolerance) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b} to ${tolerance}`);
-
-/** The map of a result file at a place of a triangle, by Bernstein polynomials. */
-function mapOf(result, triangle, at) {
-  const n = result.degree, net = result.triangle_control_points[triangle], factorial = (k) => (k < 2 ? 1 : k * factorial(k - 1));
-  let k = 0, x = 0, y = 0;
-  for (let j = 0; j <= n; ++j)
-    for (let i = 0; i <= n - j; ++i, ++k) {
-      const b = (factorial(n) / (factorial(i) * factorial(j) * factorial(n - i - j))) * at[0] ** (n - i - j) * at[1] ** i * at[2] ** j;
-      x += b * result.control_points[net[k]][0];
-      y += b * result.control_points[net[k]][1];
-    }
-  const corner = (axis) => at.reduce((sum, w, c) => sum + w * result.domain_vertices[result.triangles[triangle][c]][axis], 0);
-  return { x, y, u: corner(0), v: corner(1) };
-}
-
-const tests = [];
-const test = (name, body) => tests.push([name, body]);
+import { box, figures, fingerprint, folder, inked, makePages, mapOf, near, number, placeOf, run, runTests, shot, state, test, url } from "./bench.mjs";
 
 test("a point is shown on both sides, and its figures are the map's", async (browser) => {
   const page = await browser.open(url("puzzle.html")), result = JSON.parse(readFileSync(join(folder, "puzzle.c1.json"), "utf8"));
@@ -347,75 +282,8 @@ test("names are text, whatever they are", async (browser) => {
   return page;
 });
 
-/** Milliseconds from frame to frame while the page is panned, magnified and morphed. */
-const frameTimes = (page) => page.evaluate(`(async () => {
-  const page = window.c1mesh, frame = () => new Promise(requestAnimationFrame), out = {};
-  const measure = async (count, move) => {
-    const times = [];
-    await frame();
-    for (let k = 0; k < count; ++k) {
-      const start = performance.now();
-      move(k);
-      await frame();
-      times.push(performance.now() - start);
-    }
-    times.sort((a, b) => a - b);
-    return { median: times[count >> 1], worst: times[count - 1] };
-  };
-  const { camera } = page.panes.shape, all = () => page.all.forEach((pane) => { pane.stale = true; });
-  out.full = await measure(30, () => { all(); page.drawNow(); });
-  out.pan = await measure(30, (k) => { camera.pan(k % 2 ? 9 : -9, 4); page.moved("shape"); });
-  out.zoom = await measure(30, (k) => { camera.zoomAt(k < 15 ? 1.15 : 1 / 1.15, 200, 300); page.moved("shape"); });
-  out.morph = await measure(30, (k) => page.morph(1 - k / 30));
-  page.morph(1);
-  page.fit();
-  await frame();
-  return out;
-})()`);
-
-for (const [triangles, cuts] of [["5,000", 6], ["50,000", 18]])
-  test(`frames with more than ${triangles} triangles`, async (browser) => {
-    const name = `puzzle-${cuts}`;
-    execFileSync(process.execPath, [refined, "puzzle.c1.json", String(cuts), `${name}.c1.json`], { cwd: folder });
-    run("convert", `${name}.c1.json`, "-o", `${name}.html`);
-    const page = await browser.open(url(`${name}.html`));
-    const count = await page.evaluate("window.c1mesh.scene.model.triangleCount");
-    assert.ok(count > Number(triangles.replace(",", "")));
-    for (const layers of [[], ["8"], ["2"]]) {
-      for (const key of layers) await page.press(key);
-      const times = Object.entries(await frameTimes(page)).map(([what, t]) => `${what} ${t.median.toFixed(0)} (${t.worst.toFixed(0)})`);
-      console.log(`  ${count} triangles, ${layers.length ? `and layer ${layers}` : "default layers"}: ms per frame, median (worst): ${times.join(", ")}`);
-      // Back; the colours go round.
-      for (const key of layers) for (let k = 0; k < (key === "8" ? 2 : 1); ++k) await page.press(key);
-    }
-    const [x, y] = await placeOf(page, "shape", count >> 1, [0.3, 0.3, 0.4]);
-    await page.hover(x, y);
-    assert.equal((await state(page)).point.triangle, count >> 1);
-    await shot(page, name);
-    return page;
-  });
-
-for (const name of ["puzzle.svg", "spiral.svg", "annulus.svg", "blob.svg", "interfaces.json"])
-  run("run", join(examples, name), "-o", ".", "--formats", "json,html");
+makePages("puzzle.svg", "spiral.svg", "annulus.svg", "blob.svg", "interfaces.json");
 renameSync(join(folder, "puzzle.html"), join(folder, "first.html"));
 run("convert", "puzzle.c1.json", "-o", "puzzle.html");
 assert.equal(readFileSync(join(folder, "puzzle.html"), "utf8"), readFileSync(join(folder, "first.html"), "utf8"));
-
-const browser = new Browser("chromium");
-const only = process.env.ONLY;
-let failed = 0;
-for (const [name, body] of tests.filter(([name]) => !only || name.includes(only))) {
-  try {
-    const page = await body(browser);
-    // The test reads pixels back, the page does not.
-    assert.deepEqual(page.complaints.filter((c) => !c.includes("willReadFrequently")), []);
-    assert.deepEqual(page.requests.filter((u) => !u.startsWith("file:") && !u.startsWith("data:")), []);
-    assert.equal(page.requests.filter((u) => u.startsWith("file:")).length, 1);
-    console.log(`ok: ${name}`);
-  } catch (error) {
-    ++failed;
-    console.log(`FAILED: ${name}\n${error.stack}`);
-  }
-}
-await browser.close();
-process.exit(failed ? 1 : 0);
+await runTests();

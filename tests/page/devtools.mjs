@@ -55,7 +55,7 @@ export class Browser {
   async open(url, size = {}) {
     const { targetId } = await this.send("Target.createTarget", { url: "about:blank" });
     const { sessionId } = await this.send("Target.attachToTarget", { targetId, flatten: true });
-    const page = new Tab(this, sessionId);
+    const page = new Tab(this, sessionId, targetId);
     await page.load(url, size);
     return page;
   }
@@ -72,9 +72,10 @@ export class Tab {
   complaints = [];
   requests = [];
 
-  constructor(browser, sessionId) {
+  constructor(browser, sessionId, targetId) {
     this.browser = browser;
     this.sessionId = sessionId;
+    this.targetId = targetId;
     browser.listeners.push((message) => {
       if (message.sessionId === sessionId) this.#hear(message);
     });
@@ -93,6 +94,10 @@ export class Tab {
       this.complaints.push(params.entry.text);
     if (method === "Network.requestWillBeSent") this.requests.push(params.request.url);
     if (method === "Page.loadEventFired") this.loaded?.();
+  }
+
+  close() {
+    return this.browser.send("Target.closeTarget", { targetId: this.targetId });
   }
 
   async size({ width = 1280, height = 800, scale = 1, mobile = false } = {}) {

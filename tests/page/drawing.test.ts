@@ -55,7 +55,7 @@ test("what is drawn is on the map, at every magnification", () => {
         blend.netAt(1, s, net);
         evaluateNet(n, net, 0.35, 0.3, 0.35, p);
         const view: View = { ox: 200 - scale * p.x, oy: 200 + scale * p.y, scale, width: 400, height: 400 }, pen = new Notes();
-        trace(pen, curves, s, view, Outside.left);
+        trace(pen, curves, blend.mix(s), view, Outside.left);
         assert.ok(pen.points.length > 1);
         // The drawn points on the screen against many points of the exact image.
         const exact: [number, number][] = [];
@@ -83,7 +83,7 @@ test("curves out of view are left out, and kept for filling", () => {
   const view: View = { ox: 5000, oy: 100, scale: 100, width: 200, height: 200 };
   for (const [outside, moves] of [[Outside.left, 0], [Outside.chords, 1]]) {
     const pen = new Notes();
-    trace(pen, scene.boundary(), 1, view, outside);
+    trace(pen, scene.boundary(), scene.blend.mix(1), view, outside);
     assert.equal(pen.moves, moves);  // the loop is one path
   }
 });
@@ -144,7 +144,7 @@ test("a finer grid in view is the same grid", () => {
   const model = squareModel(3, kBent, 2), scene = new Scene(model, buildMesh(model));
   const view: View = { ox: -2000, oy: 3000, scale: 9000, width: 300, height: 300 };
   const pen = new Notes(), grid = gridOf(model, 3);
-  trace(pen, scene.iso(3, 0, 0, view), 0, view, Outside.left);
+  trace(pen, scene.iso(3, 0, 0, view), scene.blend.mix(0), view, Outside.left);
   const seen = new Set<number>();
   for (const [px] of pen.points) {
     const u = model.domainFrame.x + ((px - view.ox) / view.scale) * model.domainFrame.extent;

@@ -8,6 +8,8 @@ import { EdgeKind, buildMesh, cornersOf, edgeDeviation, outline, sample, turnedI
 import { Barycentric, Local, netIndex } from "../../page/src/bernstein";
 import { jacobianOf, kBent, near, random, randomPlace, squareModel, valueOf } from "./fixture";
 
+const kNowhere: Local = { x: 0, y: 0, xs: 0, ys: 0, xt: 0, yt: 0 };
+
 test("a sample is the map and its Jacobian", () => {
   const model = squareModel(3, kBent, 4), draw = random(2);
   for (let t = 0; t < model.triangleCount; ++t) {
@@ -122,8 +124,49 @@ test("outlines close, and bound what they should", () => {
 
 test("the ellipse has the circle's area and is the image of the circle", () => {
   const model = squareModel(3, kBent, 3), p = sample(model, 4, [0.2, 0.3, 0.5]);
-  ellipseAxes(model, p, 0).forEach((value, k) => near(value, [26, 0, 0, 26][k], 0));
-  const [a, b, c, d] = ellipseAxes(model, p, 1);
+  const blend = new Blend(model);
+  ellipseAxes(blend, p, 0).forEach((value, k) => near(value, [26, 0, 0, 26][k], 0));
+  const [a, b, c, d] = ellipseAxes(blend, p, 1);
   near(a * d - b * c, 26 * 26, 1e-9);
   p.jacobian.forEach((value, k) => near([a, b, c, d][k] / a, value / p.jacobian[0], 1e-12));
+  // Between, it is the derivative of what is drawn.
+  const h = 1e-5, q = { ...kNowhere }, r = { ...kNowhere };
+  blend.evaluate(4, 0.4, [0.2 - h, 0.3 + h, 0.5], q);
+  blend.evaluate(4, 0.4, [0.2 + h, 0.3 - h, 0.5], r);
+  const [mu, nu, mv, nv] = ellipseAxes(blend, p, 0.4), c4 = cornersOf(model, 4), du = c4[2] - c4[0], dv = c4[3] - c4[1];
+  const [ex, ey] = [mu * du + mv * dv, nu * du + nv * dv];
+  near((ex * (q.y - r.y) - ey * (q.x - r.x)) / Math.hypot(ex, ey) / Math.hypot(q.x - r.x, q.y - r.y), 0, 1e-7);
+});
+
+test("a domain that is turned turns back on the way", () => {
+  const turned = (angle: number) => new Blend(squareModel(3, [
+    { p: 1, q: 0, x: Math.cos(angle), y: Math.sin(angle) }, { p: 0, q: 1, x: -Math.sin(angle), y: Math.cos(angle) }], 3));
+  for (const angle of [0.3, 2, -3, 3.1]) {
+    const blend = turned(angle), p = { ...kNowhere };
+    near(Math.cos(blend.turn - angle), 1, 1e-12);
+    // A rotation stays a similarity: nothing is folded, and triangles keep their shape.
+    for (const s of [0, 0.25, 0.5, 0.75, 1]) {
+      blend.evaluate(5, s, [0.2, 0.3, 0.5], p);
+      const c = cornersOf(blend.model, 5), side = (k: number) => Math.hypot(c[k] - c[0], c[k + 1] - c[1]);
+      near(Math.hypot(p.xs, p.ys) / Math.hypot(p.xt, p.yt), side(2) / side(4), 1e-12);
+      assert.ok(p.xs * p.yt - p.ys * p.xt > 0.1 * side(2) * side(4) * 0.1);
+    }
+  }
+});
+
+test("between, control points are interpolated linearly, but for a turn", () => {
+  const blend = new Blend(squareModel(3, kBent, 2)), size = 2 * blend.model.netSize;
+  const [d, m, e] = [0, 0.3, 1].map((s) => {
+    const net = new Float64Array(size);
+    blend.netAt(3, s, net);
+    return net;
+  });
+  const rotated = (x: number, y: number, angle: number) =>
+    [x * Math.cos(angle) - y * Math.sin(angle), x * Math.sin(angle) + y * Math.cos(angle)];
+  for (let k = 0; k < size; k += 2) {
+    const shape = rotated(e[k], e[k + 1], -blend.turn);
+    const between = rotated(0.7 * d[k] + 0.3 * shape[0], 0.7 * d[k + 1] + 0.3 * shape[1], 0.3 * blend.turn);
+    near(m[k], between[0], 1e-14);
+    near(m[k + 1], between[1], 1e-14);
+  }
 });
