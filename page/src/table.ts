@@ -2,7 +2,7 @@
 // What the result states, beside what this page computes of it in doubles.
 import { Model, Plain, Spread } from "./data";
 import { Mesh } from "./mesh";
-import { byId, element, plural, readable, row } from "./text";
+import { byId, compact, element, plural, readable, row } from "./text";
 
 /** What a result claims where its parameters say nothing (docs/format.md). */
 const kC1Bound = 1e-11, kConformanceBound = 1e-13;
@@ -52,7 +52,7 @@ export function claims(model: Model, mesh: Mesh): Claim[] {
 }
 
 function spreadCells(spread: Spread | undefined): string[] {
-  return [spread?.median, spread?.p99, spread?.max].map((x) => readable(x, 3));
+  return [spread?.median, spread?.p99, spread?.max].map(compact);
 }
 
 function fillMetrics(model: Model, mesh: Mesh): void {
@@ -61,7 +61,7 @@ function fillMetrics(model: Model, mesh: Mesh): void {
     row("Triangles", [plural(model.triangleCount, "", "").trim()]),
     row("Degree", [String(model.degree)]),
     row("Input curves", [String(model.curveCount)]),
-    row("Corners of the boundary", [String(model.corners)]),
+    row("Boundary corners", [String(model.corners)]),
     row("Exceptional vertices", [String(m.exceptional ?? model.exceptional.length)], "where C1 is given up"),
     row("\u2026 at least needed", [String(m.exceptional_minimum ?? "\u2013")]),
     row("\u2026 surplus", [String(m.surplus ?? "\u2013")]),
@@ -75,8 +75,8 @@ function fillMetrics(model: Model, mesh: Mesh): void {
   );
   byId("spread-rows").replaceChildren(
     row("d_ei", spreadCells(m.d_ei)),
-    row("Gradient angle, \u00b0", spreadCells(m.gradient_angle_deg)),
-    row("Gradient length", spreadCells(m.gradient_magnitude)),
+    row("Gradient angle, \u00b0", spreadCells(m.gradient_angle_deg), "between the two triangles' gradients along an edge"),
+    row("Gradient length", spreadCells(m.gradient_magnitude), "relative difference of the lengths of the two triangles' gradients"),
   );
 }
 

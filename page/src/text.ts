@@ -33,6 +33,12 @@ export function coordinate(value: number, extent: number): string {
   return value.toFixed(digits).replace("-", kMinus);
 }
 
+/** The same in little space, as programs write it. */
+export function compact(value: number | null | undefined): string {
+  if (value == null || value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e4)) return readable(value, 3);
+  return value.toExponential(1).replace(/-/g, kMinus);
+}
+
 export function plural(count: number, one: string, many: string): string {
   return `${count.toLocaleString("en")} ${count === 1 ? one : many}`;
 }

@@ -87,7 +87,7 @@ test("wheel and drag, linked and apart", async (browser) => {
 });
 
 test("linked views have the same place in the middle", async (browser) => {
-  const page = await browser.open(url("spiral.html")), [x, y] = await placeOf(page, "shape", 300, [0.3, 0.3, 0.4]);
+  const page = await browser.open(url("letter.html")), [x, y] = await placeOf(page, "shape", 30, [0.3, 0.3, 0.4]);
   await page.hover(x, y);
   for (let k = 0; k < 12; ++k) await page.wheel(x, y, -300);
   const middle = await page.evaluate(`(() => {
@@ -184,7 +184,7 @@ test("keys", async (browser) => {
 });
 
 test("everything that can be used has a name", async (browser) => {
-  const page = await browser.open(url("spiral.html"));
+  const page = await browser.open(url("letter.html"));
   await page.send("Accessibility.enable");
   const { nodes } = await page.send("Accessibility.getFullAXTree");
   const usable = nodes.filter((n) => !n.ignored && ["button", "checkbox", "radio", "slider", "application"].includes(n.role?.value));
@@ -194,7 +194,7 @@ test("everything that can be used has a name", async (browser) => {
 });
 
 test("dark, by the system and by hand", async (browser) => {
-  const page = await browser.open(url("spiral.html"));
+  const page = await browser.open(url("letter.html"));
   const ground = () => page.evaluate(`getComputedStyle(document.body).backgroundColor`);
   const light = await ground(), before = await fingerprint(page, "shape");
   await page.scheme(true);
@@ -203,7 +203,7 @@ test("dark, by the system and by hand", async (browser) => {
   assert.notEqual(dark, light);
   assert.notEqual(await fingerprint(page, "shape"), before);
   await page.press("8");
-  const [x, y] = await placeOf(page, "domain", 300, [0.3, 0.3, 0.4]);
+  const [x, y] = await placeOf(page, "domain", 30, [0.3, 0.3, 0.4]);
   await page.hover(x, y);
   await shot(page, "dark");
   await page.press("8");
@@ -258,10 +258,10 @@ test("a phone: one view below the other, pinch, drag, tap", async (browser) => {
 });
 
 test("vertices of the list are shown", async (browser) => {
-  const page = await browser.open(url("spiral.html"));
+  const page = await browser.open(url("letter.html"));
   await page.evaluate(`document.querySelector("#exceptional-list button").click()`);
   await page.frames();
-  const { point, shape } = await state(page), result = JSON.parse(readFileSync(join(folder, "spiral.c1.json"), "utf8"));
+  const { point, shape } = await state(page), result = JSON.parse(readFileSync(join(folder, "letter.c1.json"), "utf8"));
   assert.ok(result.triangles[point.triangle].includes(result.exceptional_vertices[0]));
   assert.deepEqual([...point.at].sort(), [0, 0, 1]);
   assert.ok(shape.zoom > 4);
@@ -282,7 +282,7 @@ test("names are text, whatever they are", async (browser) => {
   return page;
 });
 
-makePages("puzzle.svg", "spiral.svg", "annulus.svg", "blob.svg", "interfaces.json");
+makePages("puzzle.svg", "letter.svg", "annulus.svg", "blob.svg", "interfaces.json");
 renameSync(join(folder, "puzzle.html"), join(folder, "first.html"));
 run("convert", "puzzle.c1.json", "-o", "puzzle.html");
 assert.equal(readFileSync(join(folder, "puzzle.html"), "utf8"), readFileSync(join(folder, "first.html"), "utf8"));

@@ -11,7 +11,7 @@ import { checkerPieces, gridOf, isoPieces, quarters, wholeLine, wholeTriangle } 
 import { buildMesh } from "../../page/src/mesh";
 import { Scene } from "../../page/src/scene";
 import { claims } from "../../page/src/table";
-import { readable } from "../../page/src/text";
+import { compact, readable } from "../../page/src/text";
 import { kBent, near, random, squareModel } from "./fixture";
 
 /** Notes the points along a path, some on each curve. */
@@ -196,6 +196,8 @@ test("numbers to read", () => {
   assert.equal(readable(1.5e-12, 3), "1.5\u202f\u00d7\u202f10\u207b\u00b9\u00b2");
   assert.equal(readable(null), "\u221e");
   assert.equal(readable(undefined), "\u2013");
+  assert.equal(compact(-1.26e-12), "\u22121.3e\u221212");
+  assert.equal(compact(0.5), "0.500");
 });
 
 test("a claim that does not hold says so", () => {
