@@ -70,8 +70,8 @@ function fillMetrics(model: Model, mesh: Mesh): void {
   );
   byId("check-rows").replaceChildren(
     row("Largest g", [readable(m.mips_bound_max), readable(mesh.largestDistortion)], "bound of the distortion, over all triangles"),
-    row("Least det J", [readable(m.min_det_coefficient, 3), readable(mesh.leastDet, 3)], "least Bernstein coefficient, both planes scaled to extent 1"),
-    row("Largest d_ei", [readable(m.d_ei?.max, 3), readable(mesh.largestDeviation, 3)], "C1 deviation where C1 is asked, relative to the extent"),
+    row("Least det J", [compact(m.min_det_coefficient), compact(mesh.leastDet)], "least Bernstein coefficient, both planes scaled to extent 1"),
+    row("Largest d_ei", [compact(m.d_ei?.max), compact(mesh.largestDeviation)], "C1 deviation where C1 is asked, relative to the extent"),
   );
   byId("spread-rows").replaceChildren(
     row("d_ei", spreadCells(m.d_ei)),

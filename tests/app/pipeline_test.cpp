@@ -124,12 +124,12 @@ TEST(Pipeline, AMissedBoundIsStatusFour) {
 
 TEST(Pipeline, AllFormatsAndConversionsAgree) {
   const Folder folder;
-  ASSERT_EQ(
-      folder.run("run --formats json,svg,vtu,msh,mesh,obj -o out " + example("blob.svg")).status,
-      0);
-  const std::vector<std::string> files = {"blob.c1.json",    "blob.domain.mesh", "blob.domain.msh",
-                                          "blob.domain.vtu", "blob.mesh",        "blob.msh",
-                                          "blob.obj",        "blob.svg",         "blob.vtu"};
+  ASSERT_EQ(folder.run("run --formats json,svg,html,vtu,msh,mesh,obj -o out " + example("blob.svg"))
+                .status,
+            0);
+  const std::vector<std::string> files = {
+      "blob.c1.json", "blob.domain.mesh", "blob.domain.msh", "blob.domain.vtu", "blob.html",
+      "blob.mesh",    "blob.msh",         "blob.obj",        "blob.svg",        "blob.vtu"};
   EXPECT_EQ(folder.files("out"), files);
   for (const std::string& file : files) {
     ASSERT_EQ(folder.run("convert out/blob.c1.json -o " + file).status, 0);
