@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <gmp.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -48,6 +49,15 @@ void say(const char* text) {
   [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, text, std::strlen(text));
 }
 
+bool room_for_a_thread() {
+  pthread_t thread;
+  if (pthread_create(
+          &thread, nullptr, [](void*) -> void* { return nullptr; }, nullptr) != 0)
+    return false;
+  pthread_join(thread, nullptr);
+  return true;
+}
+
 // Where an exception may not pass: thrown in a destructor or in a library's callback.
 [[noreturn]] void end_by_exception() {
   discard_unfinished_files();
@@ -58,6 +68,11 @@ void say(const char* text) {
       say("error: out of memory\n");
       _exit(static_cast<int>(Status::limit));
     } catch (const std::exception& error) {
+      // TBB says so where no thread can be made, also in destructors.
+      if (!room_for_a_thread()) {
+        say("error: out of memory: no more threads\n");
+        _exit(static_cast<int>(Status::limit));
+      }
       say("error: internal error: ");
       say(error.what());
       say("\n");

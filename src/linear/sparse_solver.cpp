@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "c1mesh/cost.h"
+#include "linear/one_thread.h"
 
 namespace c1mesh {
 
@@ -39,6 +40,7 @@ SparseSolver::SparseSolver(SparseSolver&&) noexcept = default;
 SparseSolver& SparseSolver::operator=(SparseSolver&&) noexcept = default;
 
 bool SparseSolver::factorise(const SparseMatrix& matrix, double shift) {
+  const OneThread one_thread;
   if (!state_->same_pattern(matrix)) {
     const StageTimer timer("map: ordering");
     state_->analysed = false;
@@ -57,6 +59,7 @@ bool SparseSolver::factorise(const SparseMatrix& matrix, double shift) {
 
 Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right) const {
   const StageTimer timer("map: triangular solves");
+  const OneThread one_thread;
   Eigen::VectorXd solution = state_->factor.solve(right);
   state_->check_memory();
   return solution;

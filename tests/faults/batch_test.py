@@ -36,9 +36,9 @@ class Batch(FaultTest):
     def test_ended_many_times_and_resumed(self):
         whole, seconds = self.whole()
         ended = 0
-        for k in range(8):
+        for k in range(6):
             out = f"out{k}"
-            for _ in range(5):
+            for _ in range(4):
                 kind = RANDOM.choice([signal.SIGKILL, signal.SIGKILL, signal.SIGTERM,
                                       signal.SIGHUP])
                 process = start(*self.arguments(out, "--resume"))
@@ -62,7 +62,7 @@ class Batch(FaultTest):
             self.assertEqual(done.status, self.status, done)
             self.assertEqual(digest(self.results(out)), digest(whole))
             self.assertEqual(self.names_in_times(out), self.names_in_times("whole"))
-        self.assertGreater(ended, 8)
+        self.assertGreater(ended, 6)
 
     # The children of a batch that is gone end by themselves, and tidy up.
     def test_children_do_not_outlive_it(self):
@@ -127,12 +127,12 @@ class Batch(FaultTest):
             self.assertEqual(digest(self.results(out)), digest(whole))
         self.assertGreater(hit, 0)
 
-    # So little memory that the larger shapes do not get through and the smaller ones do: the
-    # largest limit at which something fails, found by halving.
+    # Limits at which all, some or none of the shapes get through: the largest at which something
+    # fails is found by halving.
     def test_children_short_of_memory(self):
         whole, _ = self.whole()
         low, high, failed = 1, 2048, []
-        while high - low > 1:
+        while high - low > 4:
             middle = (low + high) // 2
             out = f"memory{middle}"
             done = run(*self.arguments(out, "--memory-limit", middle))
