@@ -73,6 +73,21 @@ Result parse_result(const std::string& text, const std::string& name);
 std::string format_result(const Result& result);
 
 /// Writes `text` to `path` whole or not at all (temporary file in the same folder, then renamed).
+/// A link leads to its file; a device or a pipe is written as it is. Throws FileError; a file of
+/// this name is then as it was.
 void write_file(const std::string& path, const std::string& text);
+
+struct FileText {
+  std::string path, text;
+};
+
+/// The same for files that belong together: none has its name before all are on the disk, so that
+/// a full disk leaves what was there. (A process killed between two renames leaves some new files
+/// and some old ones, each whole.)
+void write_files(const std::vector<FileText>& files);
+
+/// Removes what write_file has not finished yet. For a signal handler that is about to end the
+/// process: async-signal-safe, and from then on nothing more is written.
+void discard_unfinished_files() noexcept;
 
 }  // namespace c1mesh

@@ -97,11 +97,11 @@ const Finished* finished(const Journal& journal, const BatchOptions& options,
   return found;
 }
 
-void write_lines(const std::string& path, std::vector<std::string> lines) {
+std::string sorted_lines(std::vector<std::string> lines) {
   std::sort(lines.begin(), lines.end());
   std::string text;
   for (const std::string& line : lines) text += line + "\n";
-  deliver(path, text);
+  return text;
 }
 
 std::string table(const Records& records) {
@@ -180,8 +180,8 @@ class Batch {
                       records_.inputs, inputs_.size()));
       return Status::limit;
     }
-    write_lines(path("index"), records_.index);
-    write_lines(path("times"), records_.times);
+    deliver_together({{path("times"), sorted_lines(records_.times)},
+                      {path("index"), sorted_lines(records_.index)}});
     console_.say(table(records_));
     return records_.worst;
   }

@@ -100,8 +100,14 @@ class Worker {
     Messages messages;
     console_.on_error = [&](const std::string& text) { messages.add(text); };
     DrawingRun run;
+    bool for_good = true;  // a full disk is not the shape's fault
     const Status status = guarded(console_, drawing.name, [&] {
-      run = run_drawing(console_, options_.run, input_.path, drawing);
+      try {
+        run = run_drawing(console_, options_.run, input_.path, drawing);
+      } catch (const WriteError&) {
+        for_good = false;
+        throw;
+      }
       return run.status;
     });
     if (interrupted() && status == Status::limit) return;
@@ -109,17 +115,18 @@ class Worker {
     const bool written = !run.files.empty();
     say_record(written ? record_of(input_, drawing.name, run)
                        : failure_record(input_, drawing.name, status, messages.text()),
-               seconds.count(), run.files);
+               seconds.count(), run.files, for_good);
   }
 
-  void say_record(const Json& record, double seconds, const std::vector<std::string>& paths) {
+  void say_record(const Json& record, double seconds, const std::vector<std::string>& paths,
+                  bool for_good = true) {
     Json files = Json::array();
     for (const std::string& path : paths)
       files.push_back(path.substr(options_.run.folder.size() + 1));
-    say({{"record", record}, {"seconds", seconds}, {"files", files}});
+    say({{"record", record}, {"seconds", seconds}, {"files", files}, {"for_good", for_good}});
   }
 
-  // If nobody listens any more, SIGPIPE ends this process.
+  // If nobody listens any more, there is nothing left to do.
   void say(const Json& json) {
     const std::string text = line_of(json) + "\n";
     for (std::size_t done = 0; done < text.size();) {
@@ -138,7 +145,7 @@ class Worker {
 // An abandoned child would go on writing beside the batch that resumes.
 void die_with_parent(pid_t parent) {
 #ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  prctl(PR_SET_PDEATHSIG, signal_to_the_abandoned());
 #endif
   if (getppid() != parent) _exit(static_cast<int>(Status::internal));
 }

@@ -35,7 +35,7 @@ Json failure_record(const BatchInput& input, const std::string& name, Status sta
 /// A started process. Lines of JSON come out of `pipe`, in this order:
 ///   {"key": …}                             once the input is read
 ///   {"begin": NAME}                        per drawing, before the work on it, and then
-///   {"record": …, "seconds": …, "files": …}
+///   {"record": …, "seconds": …, "files": …, "for_good": …}
 ///   {"end": true}                          or, after a signal, {"stopped": true}
 struct Child {
   pid_t process = -1;

@@ -104,6 +104,7 @@ void Pool::hear(Work& work, const Json& line) {
     finished.records.push_back(line["record"]);
     finished.seconds.push_back(line["seconds"]);
     for (const Json& file : line["files"]) finished.files.push_back(file);
+    if (!line["for_good"]) work.end.for_good = false;
   }
 }
 
@@ -120,6 +121,7 @@ void Pool::look_at_clock(Work& work) {
 bool Pool::bury(Work& work) {
   close(work.child.pipe);
   const int status = wait_for(work.child.process);
+  if (WIFSIGNALED(status)) remove_leftovers(options_.run.folder, {work.input});
   if (work.stopped || (interrupted() && !work.ended)) return true;  // not done, and not a failure
   if (!work.ended) {
     record_end(work, status);

@@ -16,7 +16,8 @@ namespace c1mesh::app {
 /// What became of an input.
 struct InputEnd {
   Finished finished;
-  bool for_good = true;  ///< false: a resumed batch must do it again (it was killed from outside)
+  bool for_good = true;  ///< false: a resumed batch must do it again (it was killed from
+                         ///< outside, or its files could not be written)
 };
 
 /// Works through inputs, so many at a time, until all are done or a signal asks for the end.

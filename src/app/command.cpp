@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <new>
 #include <system_error>
@@ -76,11 +78,22 @@ void say_defects(Console& console, const std::string& input, const std::vector<D
 void deliver(const std::string& path, const std::string& text) {
   if (path == "-") {
     const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-    if (!whole || std::fflush(stdout) != 0) throw WriteError("cannot write to standard output");
+    if (!whole || std::fflush(stdout) != 0)
+      throw WriteError(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
     return;
   }
+  deliver_together({{path, text}});
+}
+
+void deliver_together(const std::vector<FileText>& files) {
+  std::vector<FileText> named;
+  for (const FileText& file : files)
+    if (file.path == "-")
+      deliver(file.path, file.text);
+    else
+      named.push_back(file);
   try {
-    write_file(path, text);
+    write_files(named);
   } catch (const FileError& e) {
     throw WriteError(e.what());
   }

@@ -11,6 +11,7 @@
 
 #include "app/console.h"
 #include "app/status.h"
+#include "c1mesh/result.h"
 #include "c1mesh/shape.h"
 
 namespace c1mesh::app {
@@ -47,6 +48,10 @@ void say_defects(Console& console, const std::string& input, const std::vector<D
 
 /// Writes to the file, or to standard output if `path` is "-". Throws WriteError.
 void deliver(const std::string& path, const std::string& text);
+
+/// Writes files that belong together, what goes to standard output first: all of them or, throwing
+/// WriteError, none.
+void deliver_together(const std::vector<FileText>& files);
 
 /// Creates the folder with its parents. Throws WriteError.
 void create_folder(const std::string& path);

@@ -51,14 +51,14 @@ Status say_unreadable(Console& console, const std::string& folder, const Series&
 
 /// All texts exist before the first file does.
 void write_all(const std::string& folder, const Evaluation& evaluation, const std::string& table) {
-  const std::vector<std::pair<std::string, std::string>> files = {
-      {"evaluation.json", format_evaluation(evaluation)},
-      {"evaluation.csv", format_evaluation_csv(evaluation)},
-      {"evaluation.txt", table},
-      {"histograms.svg", draw_histograms(evaluation)},
-      {"projection.svg", draw_projection(evaluation)}};
+  const std::vector<FileText> files = {
+      {folder + "/evaluation.json", format_evaluation(evaluation)},
+      {folder + "/evaluation.csv", format_evaluation_csv(evaluation)},
+      {folder + "/evaluation.txt", table},
+      {folder + "/histograms.svg", draw_histograms(evaluation)},
+      {folder + "/projection.svg", draw_projection(evaluation)}};
   create_folder(folder);
-  for (const auto& [name, text] : files) deliver(folder + "/" + name, text);
+  deliver_together(files);
 }
 
 Status evaluate_folders(Console& console, const EvaluateArguments& arguments) {

@@ -46,9 +46,11 @@ Status generate_shapes(Console& console, const GenerateArguments& arguments) {
       console.error("stopped by a signal before " + drawing.name);
       return Status::limit;
     }
+    std::vector<FileText> files;
     for (const std::string& format : arguments.formats)
-      deliver(fmt::format("{}/{}.{}", arguments.folder, drawing.name, format),
-              format == "svg" ? drawing_svg(drawing) : drawing_json(drawing));
+      files.push_back({fmt::format("{}/{}.{}", arguments.folder, drawing.name, format),
+                       format == "svg" ? drawing_svg(drawing) : drawing_json(drawing)});
+    deliver_together(files);
   }
   console.say(
       fmt::format("{} shapes of {} (seed {}) written to {}", drawings.size(),

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/interrupt.h"
+#include "app/surroundings.h"
 #include "c1mesh/version.h"
 
 namespace {
@@ -18,13 +20,16 @@ Of several inputs the worst counts, from best to worst: 0, 4, 5, 3, 2, 1.)";
 int parse_error(const CLI::App& app, const CLI::ParseError& error) {
   const bool wanted = error.get_exit_code() == 0;  // --help, --version
   app.exit(error);
-  return static_cast<int>(wanted ? Status::ok : Status::usage);
+  if (!wanted) return static_cast<int>(Status::usage);
+  return static_cast<int>(c1mesh::app::standard_output_is_whole() ? Status::ok : Status::internal);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace c1mesh::app;
+  prepare_process();
+  handle_signals();
   Console console;
   CLI::App app(
       "Exactly C1 curved-triangle parametrizations of planar shapes bounded by Bezier curves",

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 
 #include "app/command.h"
@@ -16,16 +17,12 @@
 namespace c1mesh::app {
 namespace {
 
-struct OutputFile {
-  std::string path, text;
-};
-
 // All texts exist before the first file does: what can fail fails first.
-std::vector<OutputFile> output_files(const RunOptions& options, const Outcome& outcome) {
+std::vector<FileText> output_files(const RunOptions& options, const Outcome& outcome) {
   const StageTimer timer("format");
   const Result& result = outcome.result;
   const std::string& folder = options.folder;
-  std::vector<OutputFile> files;
+  std::vector<FileText> files;
   if (!options.certificate.empty())
     files.push_back({options.certificate, format_certificate(outcome.report.certificate)});
   if (folder == "-") {
@@ -49,18 +46,16 @@ std::vector<OutputFile> output_files(const RunOptions& options, const Outcome& o
   return files;
 }
 
-std::vector<std::string> deliver_all(const std::vector<OutputFile>& files) {
+std::vector<std::string> deliver_all(const std::vector<FileText>& files) {
   const StageTimer timer("write");
+  deliver_together(files);
   std::vector<std::string> paths;
-  for (const OutputFile& file : files) {
-    deliver(file.path, file.text);
-    paths.push_back(file.path);
-  }
+  for (const FileText& file : files) paths.push_back(file.path);
   return paths;
 }
 
 std::vector<std::string> write_outputs(const RunOptions& options, const Outcome& outcome) {
-  const std::vector<OutputFile> files = output_files(options, outcome);
+  const std::vector<FileText> files = output_files(options, outcome);
   if (options.folder != "-") create_folder(options.folder);
   create_folder_of(options.certificate);
   return deliver_all(files);
@@ -82,6 +77,25 @@ bool run_trade_off(Console& console, const RunOptions& run_options, const Shape&
   console.say(trade_off_lines(curve, paths));
   files_written.insert(files_written.end(), paths.begin(), paths.end());
   return curve.end != TradeOffEnd::time_limit;
+}
+
+// The result is written by now: what ends the trade-off leaves it.
+void add_trade_off(Console& console, const RunOptions& run_options, const Shape& shape,
+                   const Outcome& outcome, DrawingRun& run) {
+  std::string ended;
+  try {
+    if (run_trade_off(console, run_options, shape, outcome, run.files)) return;
+    run.missed.emplace_back("the time limit cut the trade-off short");
+  } catch (const Interrupted&) {
+    ended = "a signal ended the trade-off";
+  } catch (const std::bad_alloc&) {
+    ended = "the trade-off ran out of memory";
+  }
+  run.status = worse(run.status, Status::limit);
+  if (ended.empty()) return;
+  console.clear_bar();
+  console.error(fmt::format("{}: {}; the result was written before", shape.name, ended));
+  run.missed.push_back(ended);
 }
 
 // Before the work, not after it.
@@ -136,10 +150,7 @@ DrawingRun run_drawing(Console& console, const RunOptions& run_options, const st
   }
   console.say(summary(console, outcome, options, run.files));
   console.detail(item_lines(console, outcome.report));
-  if (run_options.trade_off && !run_trade_off(console, run_options, shape, outcome, run.files)) {
-    run.status = worse(run.status, Status::limit);
-    run.missed.emplace_back("the time limit cut the trade-off short");
-  }
+  if (run_options.trade_off) add_trade_off(console, run_options, shape, outcome, run);
   return run;
 }
 

@@ -4,6 +4,8 @@
 #include <SuiteSparseQR.hpp>
 #include <new>
 
+#include "linear/one_thread.h"
+
 namespace c1mesh {
 namespace {
 
@@ -59,6 +61,7 @@ struct LeastMove::State {
 };
 
 LeastMove::LeastMove(const SparseMatrix& A, double tolerance) : state_(std::make_unique<State>()) {
+  const OneThread one_thread;
   state_->transposed = Sparse(SparseMatrix(A.transpose()));
   state_->transposed.makeCompressed();
   cholmod_sparse view = view_of(state_->transposed);

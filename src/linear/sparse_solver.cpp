@@ -2,9 +2,11 @@
 #include "linear/sparse_solver.h"
 
 #include <Eigen/CholmodSupport>
+#include <new>
 #include <vector>
 
 #include "c1mesh/cost.h"
+#include "linear/one_thread.h"
 
 namespace c1mesh {
 
@@ -12,6 +14,13 @@ struct SparseSolver::State {
   Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower> factor;
   std::vector<int> outer, inner;  // the analysed pattern
   bool analysed = false;
+
+  // Eigen takes a lack of memory for an indefinite matrix, or uses the factor that is not there.
+  void check_memory() {
+    if (factor.cholmod().status != CHOLMOD_OUT_OF_MEMORY) return;
+    analysed = false;
+    throw std::bad_alloc();
+  }
 
   bool same_pattern(const SparseMatrix& m) const {
     return analysed && outer.size() == static_cast<std::size_t>(m.outerSize() + 1) &&
@@ -31,9 +40,12 @@ SparseSolver::SparseSolver(SparseSolver&&) noexcept = default;
 SparseSolver& SparseSolver::operator=(SparseSolver&&) noexcept = default;
 
 bool SparseSolver::factorise(const SparseMatrix& matrix, double shift) {
+  const OneThread one_thread;
   if (!state_->same_pattern(matrix)) {
     const StageTimer timer("map: ordering");
+    state_->analysed = false;
     state_->factor.analyzePattern(matrix);
+    state_->check_memory();
     state_->outer.assign(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.outerSize() + 1);
     state_->inner.assign(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
     state_->analysed = true;
@@ -41,12 +53,16 @@ bool SparseSolver::factorise(const SparseMatrix& matrix, double shift) {
   const StageTimer timer("map: factorisation");
   state_->factor.setShift(shift);
   state_->factor.factorize(matrix);
+  state_->check_memory();
   return state_->factor.info() == Eigen::Success;
 }
 
 Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right) const {
   const StageTimer timer("map: triangular solves");
-  return state_->factor.solve(right);
+  const OneThread one_thread;
+  Eigen::VectorXd solution = state_->factor.solve(right);
+  state_->check_memory();
+  return solution;
 }
 
 bool factorise_shifted(SparseSolver& solver, const SparseMatrix& matrix, double base) {

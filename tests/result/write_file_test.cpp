@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -63,6 +64,41 @@ TEST_F(WriteFile, AFolderWithoutWritePermissionThrows) {
   }
   fs::permissions(folder, fs::perms::owner_all);
   EXPECT_EQ(entries(), 0u);
+}
+
+// Of files that belong together none changes if one cannot be written.
+TEST_F(WriteFile, AGroupIsWrittenTogetherOrNotAtAll) {
+  write_file(folder / "a", "old");
+  fs::create_directory(folder / "taken");
+  EXPECT_THROW(write_files({{folder / "a", "new"}, {folder / "taken", "x"}}), FileError);
+  EXPECT_THROW(write_files({{folder / "a", "new"}, {folder / "absent" / "b", "x"}}), FileError);
+  EXPECT_EQ(content(folder / "a"), "old");
+  EXPECT_EQ(entries(), 2u);
+  write_files({{folder / "a", "new"}, {folder / "b", "too"}});
+  EXPECT_EQ(content(folder / "a") + content(folder / "b"), "newtoo");
+  EXPECT_EQ(entries(), 3u);
+}
+
+TEST_F(WriteFile, TheLongestNameHasRoomForATemporaryOne) {
+  const std::string name(255, 'n');
+  write_file(folder / name, "x");
+  EXPECT_EQ(content(folder / name), "x");
+  EXPECT_THROW(write_file(folder / (name + "n"), "x"), FileError);
+  EXPECT_EQ(entries(), 1u);
+}
+
+// In a process of its own: after it nothing can be written.
+TEST_F(WriteFile, NothingIsWrittenOnceFilesAreDiscarded) {
+  const auto discard_and_write = [&] {
+    discard_unfinished_files();
+    try {
+      write_file(folder / "a", "x");
+    } catch (const FileError&) {
+      std::_Exit(entries() == 0 ? 7 : 1);
+    }
+    std::_Exit(2);
+  };
+  EXPECT_EXIT(discard_and_write(), testing::ExitedWithCode(7), "");
 }
 
 TEST_F(WriteFile, ReadResultTakesTheNameFromThePath) {
