@@ -13,10 +13,12 @@ using namespace meshing;
 // False where constraints cross, pass through a vertex or meet on one point.
 bool insert_loops(const CurvedMesh& mesh, const std::vector<Point>& points, Triangulation& cdt) {
   std::vector<Vertex> handle(mesh.vertex_count());
+  Face near;  // neighbours on a loop are near each other
   for (const auto& loop : mesh.loops)
     for (const BoundaryEdge& edge : loop) {
-      const Vertex v = cdt.insert(KernelPoint(points[edge.a].x(), points[edge.a].y()));
+      const Vertex v = cdt.insert(KernelPoint(points[edge.a].x(), points[edge.a].y()), near);
       if (v->info().number >= 0) return false;
+      near = v->face();
       v->info().number = edge.a;
       handle[edge.a] = v;
     }
