@@ -10,6 +10,7 @@
 
 #include "c1mesh/cost.h"
 #include "domain/cycles.h"
+#include "domain/window_sums.h"
 
 namespace c1mesh {
 namespace {
@@ -20,47 +21,6 @@ struct LoopProfile {
   std::vector<double> at;    // arc length (of chords) of each vertex
   std::vector<double> bend;  // turning towards the wanted side within a window
 };
-
-// Per place the sum of weight_j (1 - d_j / window) over the points nearer than `window` (at most a
-// half of `length`) along a closed line of this length. All places increase.
-std::vector<double> window_sums(const std::vector<double>& at, const std::vector<double>& weight,
-                                const std::vector<double>& places, double window, double length) {
-  constexpr std::size_t kFew = 4'000'000;
-  std::vector<double> out;
-  // Of few, term by term: equal bends stay equal, and the first is chosen.
-  if (at.size() * places.size() <= kFew) {
-    for (const double place : places) {
-      double sum = 0;
-      for (std::size_t j = 0; j < at.size(); ++j) {
-        double distance = std::abs(at[j] - place);
-        distance = std::min(distance, length - distance);
-        sum += std::max(0.0, 1 - distance / window) * weight[j];
-      }
-      out.push_back(sum);
-    }
-    return out;
-  }
-  // The line three times on, and running sums of the weights and of their moments.
-  const std::size_t m = at.size();
-  std::vector<double> line, total{0}, moment{0};
-  for (const double shift : {-length, 0.0, length})
-    for (std::size_t j = 0; j < m; ++j) {
-      line.push_back(at[j] + shift);
-      total.push_back(total.back() + weight[j]);
-      moment.push_back(moment.back() + weight[j] * line.back());
-    }
-  const auto index = [&](double x) {
-    return std::lower_bound(line.begin(), line.end(), x) - line.begin();
-  };
-  for (const double place : places) {
-    const auto low = index(place - window), middle = index(place), high = index(place + window);
-    const auto part = [&](auto from, auto to) {  // sum of weight (x - place)
-      return moment[to] - moment[from] - place * (total[to] - total[from]);
-    };
-    out.push_back(total[high] - total[low] + (part(low, middle) - part(middle, high)) / window);
-  }
-  return out;
-}
 
 LoopProfile profile_of(const CurvedMesh& mesh, const std::vector<int>& vertices, double side,
                        double window_share) {
