@@ -6,7 +6,36 @@
 
 #include "c1mesh/cost.h"
 
+// OpenMP's, there if CHOLMOD was built with it. Weak: this library does not ask for OpenMP.
+extern "C" {
+__attribute__((weak)) int omp_get_max_active_levels();
+__attribute__((weak)) void omp_set_max_active_levels(int levels);
+}
+
 namespace c1mesh {
+namespace {
+
+// CHOLMOD opens parallel regions of a fixed number of threads around many small blocks, whatever
+// number of threads was asked for. On a machine with other work they wait for each other far longer
+// than they work.
+class OneThread {
+ public:
+  OneThread() {
+    if (!omp_set_max_active_levels || !omp_get_max_active_levels) return;
+    before_ = omp_get_max_active_levels();
+    omp_set_max_active_levels(0);
+  }
+  ~OneThread() {
+    if (before_ >= 0) omp_set_max_active_levels(before_);
+  }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+ private:
+  int before_ = -1;
+};
+
+}  // namespace
 
 struct SparseSolver::State {
   Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower> factor;
@@ -31,6 +60,7 @@ SparseSolver::SparseSolver(SparseSolver&&) noexcept = default;
 SparseSolver& SparseSolver::operator=(SparseSolver&&) noexcept = default;
 
 bool SparseSolver::factorise(const SparseMatrix& matrix, double shift) {
+  const OneThread one_thread;
   if (!state_->same_pattern(matrix)) {
     const StageTimer timer("map: ordering");
     state_->factor.analyzePattern(matrix);
@@ -46,6 +76,7 @@ bool SparseSolver::factorise(const SparseMatrix& matrix, double shift) {
 
 Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right) const {
   const StageTimer timer("map: triangular solves");
+  const OneThread one_thread;
   return state_->factor.solve(right);
 }
 
