@@ -17,10 +17,38 @@ namespace {
 // An end is moved only if that is small against its curve.
 constexpr double kLargestGapOfCurve = 0.25;
 constexpr double kParallel = 1e-4;
-constexpr std::size_t kMostPairs = 50'000'000, kMostEnds = 10'000, kMostTests = 200'000'000;
+constexpr std::size_t kMostPairs = 50'000'000;
 
 struct Foot {
   double t = 0, distance = INFINITY;
+};
+
+// Points in square cells: those nearer than a cell's size are in the 3 x 3 cells around.
+class Cells {
+ public:
+  Cells(const Point& origin, double size) : origin_(origin), size_(size) {}
+  void add(const Point& p, int item) { items_[cell(p)].push_back(item); }
+
+  /// The items of the cells at most `reach` from p's, by increasing number.
+  std::vector<int> near(const Point& p, int reach) const {
+    std::vector<int> out;
+    const auto [x, y] = cell(p);
+    for (int dx = -reach; dx <= reach; ++dx)
+      for (int dy = -reach; dy <= reach; ++dy)
+        if (const auto found = items_.find({x + dx, y + dy}); found != items_.end())
+          out.insert(out.end(), found->second.begin(), found->second.end());
+    std::sort(out.begin(), out.end());
+    return out;
+  }
+
+ private:
+  std::pair<double, double> cell(const Point& p) const {
+    return {std::floor((p.x() - origin_.x()) / size_), std::floor((p.y() - origin_.y()) / size_)};
+  }
+
+  Point origin_;
+  double size_;
+  std::map<std::pair<double, double>, std::vector<int>> items_;
 };
 
 // The nearest point of a curve: the best of some samples, then Newton on (c - p).c'.
@@ -48,21 +76,32 @@ class Attacher {
   Attacher(Arrangement& arrangement, const Nodes& nodes, double tolerance)
       : arrangement_(arrangement),
         radius_(std::max(tolerance, kResolution) * arrangement.extent),
-        nodes_(nodes) {
+        nodes_(nodes),
+        node_cells_(arrangement.frame.origin, radius_),
+        dangling_cells_(arrangement.frame.origin, radius_),
+        parts_(arrangement.curves.size()) {
     for (const auto& ends : nodes_.ends) {
       place_.push_back(point_of(ends[0]));
       if (ends.size() == 1) dangling_.push_back(ends[0]);
+      if (ends.size() > 1) node_cells_.add(place_.back(), static_cast<int>(place_.size()) - 1);
     }
     std::sort(dangling_.begin(), dangling_.end(), [](const CurveEnd& a, const CurveEnd& b) {
       return std::pair(a.curve, a.at_end) < std::pair(b.curve, b.at_end);
     });
+    std::vector<Point> points;
+    for (const CurveEnd& end : dangling_) {
+      points.push_back(point_of(end));
+      if (end.at_end) dangling_at_end_[end.curve] = static_cast<int>(points.size()) - 1;
+      dangling_cells_.add(points.back(), static_cast<int>(points.size()) - 1);
+    }
+    // A curve is near where its box was, as far as ends are moved: at most two, by the radius.
+    around_ends_ = boxes_around(points, curve_boxes(4 * radius_));
   }
 
   bool run() {
-    if (dangling_.size() > kMostEnds) return false;
     bool any = false;
     for (std::size_t k = 0; k < dangling_.size(); ++k)
-      any |= to_node(dangling_[k]) || to_end(k) || to_curve(dangling_[k]);
+      any |= to_node(dangling_[k]) || to_end(k) || to_curve(k);
     return cut_at_nodes() || any;
   }
 
@@ -76,26 +115,46 @@ class Attacher {
     return std::min(radius_, kLargestGapOfCurve * size_of(arrangement_.curves[end.curve]));
   }
 
+  std::vector<Box> curve_boxes(double margin) const {
+    std::vector<Box> boxes;
+    for (const BezierCurve& curve : arrangement_.curves)
+      boxes.push_back(box_of(curve.poles, margin));
+    return boxes;
+  }
+
+  // The curves and what was cut from them since, by increasing number.
+  std::vector<int> with_parts(const std::vector<int>& curves) const {
+    std::vector<int> out = curves;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const std::vector<int>& parts = parts_[out[i]];
+      out.insert(out.end(), parts.begin(), parts.end());
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+  }
+
   // Curves are cut where others meet on them, to the resolution: these are not moved.
   bool cut_at_nodes() {
-    if (nodes_.ends.size() * arrangement_.curves.size() > kMostTests) return false;
-    std::vector<Box> boxes;
     const double distance = 8 * kResolution * arrangement_.extent;
-    const auto add_box = [&](int i) {
-      boxes.push_back(box_of(arrangement_.curves[i].poles, distance));
-    };
-    for (int i = 0; i < arrangement_.size(); ++i) add_box(i);
+    std::vector<Box> boxes = curve_boxes(distance);
+    // A part's box lies in its whole's but for roundings.
+    const std::vector<std::vector<int>> around = boxes_around(place_, curve_boxes(2 * distance));
+    parts_.assign(arrangement_.curves.size(), {});
     bool any = false;
     for (std::size_t k = 0; k < nodes_.ends.size(); ++k) {
       if (nodes_.ends[k].size() < 2) continue;
       const Point& p = place_[k];
-      for (int i = 0; i < arrangement_.size(); ++i) {
+      std::vector<int> curves = with_parts(around[k]);
+      for (std::size_t at = 0; at < curves.size(); ++at) {
+        const int i = curves[at];
         const Box& box = boxes[i];
         if ((p.array() < box.low.array()).any() || (p.array() > box.high.array()).any()) continue;
         const Foot foot = nearest(arrangement_.curves[i], p);
         if (foot.distance > distance || !well_inside(i, foot)) continue;
-        cut_curve(arrangement_, i, foot.t);
-        add_box(arrangement_.size() - 1);
+        const int part = cut_off(i, foot.t);
+        boxes.push_back(box_of(arrangement_.curves[part].poles, distance));
+        curves.push_back(part);
         arrangement_.curves[i].poles.back() = arrangement_.curves.back().poles.front() = p;
         arrangement_.mend(DefectKind::note, {i, nodes_.ends[k][0].curve}, {p},
                           "curves meet on the inside of another, which is cut there");
@@ -110,11 +169,11 @@ class Attacher {
     const Point p = point_of(end);
     double best = reach(end);
     int found = -1;
-    for (std::size_t k = 0; k < nodes_.ends.size(); ++k) {
+    for (const int k : node_cells_.near(p, 1)) {
       const auto& ends = nodes_.ends[k];
-      if (ends.size() < 2 || ends[0].curve == end.curve || ends[1].curve == end.curve) continue;
+      if (ends[0].curve == end.curve || ends[1].curve == end.curve) continue;
       const double d = (place_[k] - p).norm();
-      if (d <= best) best = d, found = static_cast<int>(k);
+      if (d <= best) best = d, found = k;
     }
     if (found < 0) return false;
     attach(end, place_[found], nodes_.ends[found][0].curve, false);
@@ -126,7 +185,9 @@ class Attacher {
     const CurveEnd end = dangling_[k];
     double best = reach(end);
     CurveEnd found;
-    for (const CurveEnd& other : dangling_) {
+    // They may have been moved, as this one, each by one cell at most.
+    for (const int index : dangling_cells_.near(point_of(end), 2)) {
+      const CurveEnd& other = dangling_[index];
       if (other.curve == end.curve) continue;
       const double d = (point_of(other) - point_of(end)).norm();
       if (d <= best) best = d, found = other;
@@ -136,11 +197,12 @@ class Attacher {
     return true;
   }
 
-  bool to_curve(const CurveEnd& end) {
+  bool to_curve(std::size_t k) {
+    const CurveEnd end = dangling_[k];
     const Point p = point_of(end);
     double best = reach(end), at = -1;
     int found = -1;
-    for (int i = 0; i < arrangement_.size(); ++i) {
+    for (const int i : with_parts(around_ends_[k])) {
       if (i == end.curve || !near_box(i, p, best)) continue;
       const Foot foot = nearest(arrangement_.curves[i], p);
       if (foot.distance > best || !well_inside(i, foot)) continue;
@@ -171,9 +233,21 @@ class Attacher {
 
   // The curve keeps its first part, the second is appended; its dangling end goes with it.
   void cut(int curve, double t) {
+    const int part = cut_off(curve, t);
+    const auto found = dangling_at_end_.find(curve);
+    if (found == dangling_at_end_.end()) return;
+    dangling_[found->second].curve = part;
+    dangling_at_end_[part] = found->second;
+    dangling_at_end_.erase(found);
+  }
+
+  // Returns the new curve, the second part.
+  int cut_off(int curve, double t) {
     cut_curve(arrangement_, curve, t);
-    for (CurveEnd& other : dangling_)
-      if (other.curve == curve && other.at_end) other.curve = arrangement_.size() - 1;
+    const int part = arrangement_.size() - 1;
+    parts_[curve].push_back(part);
+    parts_.emplace_back();
+    return part;
   }
 
   void attach(const CurveEnd& end, const Point& target, int to, bool was_cut) {
@@ -196,6 +270,10 @@ class Attacher {
   const Nodes& nodes_;
   std::vector<Point> place_;  // per node, before any curve was cut
   std::vector<CurveEnd> dangling_;
+  std::map<int, int> dangling_at_end_;         // curve -> its end's place in dangling_
+  Cells node_cells_, dangling_cells_;          // where two curves meet or more; dangling ends
+  std::vector<std::vector<int>> around_ends_;  // per dangling end: curves that may be near
+  std::vector<std::vector<int>> parts_;        // per curve: those cut from it
 };
 
 // Where features cross, per curve: parameter and point.
@@ -203,7 +281,9 @@ using Cuts = std::map<int, std::map<double, Point>>;
 
 class Crosser {
  public:
-  Crosser(Arrangement& arrangement, const Nodes& nodes) : arrangement_(arrangement) {
+  Crosser(Arrangement& arrangement, const Nodes& nodes)
+      : arrangement_(arrangement),
+        cells_(arrangement.frame.origin, 8 * kResolution * arrangement.extent) {
     const Pieces pieces =
         detail::cut(arrangement, nodes, std::vector<char>(arrangement.curves.size(), 1));
     std::vector<Box> boxes;
@@ -252,8 +332,10 @@ class Crosser {
     const auto within = [](double x) { return x > 1e-9 && x < 1 - 1e-9; };
     if (!within(s) || !within(t)) return;  // at an end: a touch, not a crossing
     Point where = arrangement_.frame.restore(evaluate(a, s));
-    for (const Point& known : places_)
-      if ((known - where).norm() < 8 * kResolution * arrangement_.extent) where = known;
+    for (const int known : cells_.near(where, 2))
+      if ((places_[known] - where).norm() < 8 * kResolution * arrangement_.extent)
+        where = places_[known];
+    cells_.add(where, static_cast<int>(places_.size()));
     places_.push_back(where);
     enter(m.curve_a, s, where);
     enter(m.curve_b, t, where);
@@ -270,6 +352,7 @@ class Crosser {
   Arrangement& arrangement_;
   Cuts cuts_;
   std::vector<Point> places_;
+  Cells cells_;  // of places_
 };
 
 // Where nothing bounds, there is no shape whose features the others could be.

@@ -22,4 +22,8 @@ Box box_of(const std::vector<Point>& points, double margin);
 bool overlapping_pairs(const std::vector<Box>& boxes, std::size_t most,
                        std::vector<std::pair<int, int>>& pairs);
 
+/// Per point the boxes that contain it, by increasing number; near-linear in what goes in and out.
+std::vector<std::vector<int>> boxes_around(const std::vector<Point>& points,
+                                           const std::vector<Box>& boxes);
+
 }  // namespace c1mesh::detail

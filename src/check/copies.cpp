@@ -2,6 +2,7 @@
 // Sub-shapes that share a curve may give it with other rounding errors, or raised to another
 // degree.
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "bernstein/curve.h"
@@ -45,11 +46,29 @@ bool same_curve(const Arrangement& arrangement, int i, int j) {
 void unite_ends(Arrangement& arrangement) {
   const std::vector<CurveEnd> ends = sorted_ends(arrangement);
   const double distance = kResolution * arrangement.extent;
+  // Of the many that may lie above each other, those of the next bands of y are near enough.
+  const auto band = [&](const Point& p) {
+    return std::floor((p.y() - arrangement.frame.origin.y()) / (4 * distance));
+  };
+  std::map<double, std::vector<std::size_t>> bands;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    bands[band(end_of(arrangement, ends[i]))].push_back(i);
+  std::vector<std::size_t> near;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const Point p = end_of(arrangement, ends[i]);
-    for (std::size_t j = i + 1; j < ends.size(); ++j) {
+    near.clear();
+    for (const double step : {-1.0, 0.0, 1.0}) {
+      const auto found = bands.find(band(p) + step);
+      if (found == bands.end()) continue;
+      auto j = std::upper_bound(found->second.begin(), found->second.end(), i);
+      for (; j != found->second.end(); ++j) {
+        if (end_of(arrangement, ends[*j]).x() - p.x() > distance) break;
+        near.push_back(*j);
+      }
+    }
+    std::sort(near.begin(), near.end());
+    for (const std::size_t j : near) {
       Point& q = end_of(arrangement, ends[j]);
-      if (q.x() - p.x() > distance) break;
       // The ends of one curve are apart, else it would have been left out.
       if (ends[i].curve != ends[j].curve && (q - p).norm() <= distance) q = p;
     }

@@ -37,7 +37,7 @@ class FeatureCheck {
  public:
   FeatureCheck(Arrangement& arrangement, const Nodes& nodes, const std::vector<Loop>& loops,
                const Pieces& pieces)
-      : arrangement_(arrangement), nodes_(nodes), loops_(loops), pieces_(pieces) {}
+      : arrangement_(arrangement), nodes_(nodes), loops_(loops), winding_(loops, pieces) {}
 
   void check(const FeaturePath& path) {
     if (was_meant_to_close(path) || (!path.closed && loops_.empty()))
@@ -78,7 +78,7 @@ class FeatureCheck {
     const Point p =
         evaluate(arrangement_.normalised(path.curves[path.curves.size() / 2].curve), 0.5);
     int sum = 0;
-    for (const Loop& loop : loops_) sum += winding_number(loop, pieces_, p);
+    for (const auto& [loop, number] : winding_.around(p, [](int) { return true; })) sum += number;
     return arrangement_.fill_rule == FillRule::nonzero ? sum != 0 : sum % 2 != 0;
   }
 
@@ -117,7 +117,7 @@ class FeatureCheck {
   Arrangement& arrangement_;
   const Nodes& nodes_;
   const std::vector<Loop>& loops_;
-  const Pieces& pieces_;
+  const WindingIndex winding_;
   std::set<int> told_;
 };
 

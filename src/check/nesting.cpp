@@ -30,6 +30,7 @@ class Nesting {
         features_(features),
         nodes_(nodes),
         pieces_(pieces),
+        index_(loops, pieces),
         count_(static_cast<int>(loops.size())) {}
 
   std::vector<Region> run() {
@@ -67,27 +68,19 @@ class Nesting {
     return side.x() * side.y();
   }
 
-  // Loops do not meet, so one point of a loop tells whether all of it is inside another.
-  bool inside(int inner, int outer, const std::vector<Box>& boxes) const {
-    const Point& p = pieces_.all[pieces_.first[loops_[inner].front().curve]].start();
-    const Box& box = boxes[outer];
-    if ((p.array() < box.low.array()).any() || (p.array() > box.high.array()).any()) return false;
-    return winding_number(loops_[outer], pieces_, p) != 0;
-  }
-
   bool find_parents() {
-    std::vector<Box> boxes;
-    for (const Loop& loop : loops_) boxes.push_back(loop_box(loop));
-    std::vector<std::pair<int, int>> pairs;
-    if (!overlapping_pairs(boxes, kMostPairs, pairs)) {
-      arrangement_.report(DefectKind::limit, {}, {}, "too many loops overlap each other",
+    // Loops do not meet, so one point of a loop tells whether all of it is inside another.
+    std::vector<std::vector<int>> around(count_);
+    std::size_t total = 0;
+    for (int i = 0; i < count_; ++i) {
+      const Point& p = pieces_.all[pieces_.first[loops_[i].front().curve]].start();
+      for (const auto& [loop, number] : index_.around(p, [i](int other) { return other != i; }))
+        around[i].push_back(loop);
+      total += around[i].size();
+      if (total <= kMostPairs) continue;
+      arrangement_.report(DefectKind::limit, {}, {}, "too many loops lie within each other",
                           "give the boundary of one shape at a time");
       return false;
-    }
-    std::vector<std::vector<int>> around(count_);
-    for (const auto& [a, b] : pairs) {
-      if (inside(a, b, boxes)) around[a].push_back(b);
-      if (inside(b, a, boxes)) around[b].push_back(a);
     }
     parent_.assign(count_, -1);
     depth_.assign(count_, 0);
@@ -136,6 +129,7 @@ class Nesting {
       while (!bounds_[outer]) outer = parent_[outer];
       out[region_of[outer]].holes.push_back(areas_[i] < 0 ? loops_[i] : turned(loops_[i]));
     }
+    region_of_ = std::move(region_of);
     for (const FeaturePath& path : features_) assign(path, out);
     return out;
   }
@@ -149,17 +143,16 @@ class Nesting {
     for (FeaturePath& path : paths_of(loops_[i], nodes_)) features_.push_back(std::move(path));
   }
 
-  // To the region that has a point of the path inside; features meet loops in end points only.
+  // To the region that has a point of the path inside; features meet loops in end points only. The
+  // innermost loop that bounds and has the point inside is the region's outer one.
   void assign(const FeaturePath& path, std::vector<Region>& regions) const {
     const Point p =
         evaluate(arrangement_.normalised(path.curves[path.curves.size() / 2].curve), 0.5);
-    for (Region& region : regions) {
-      bool inside = winding_number(region.outer, pieces_, p) != 0;
-      for (const Loop& hole : region.holes) inside &= winding_number(hole, pieces_, p) == 0;
-      if (!inside) continue;
-      region.features.push_back(path);
-      return;
-    }
+    int innermost = -1;
+    for (const auto& [loop, number] : index_.around(p, [&](int l) { return bounds_[l] != 0; }))
+      if (innermost < 0 || depth_[loop] > depth_[innermost]) innermost = loop;
+    if (innermost >= 0 && region_of_[innermost] >= 0)
+      regions[region_of_[innermost]].features.push_back(path);
   }
 
   Arrangement& arrangement_;
@@ -167,10 +160,12 @@ class Nesting {
   std::vector<FeaturePath> features_;
   const Nodes& nodes_;
   const Pieces& pieces_;
+  const WindingIndex index_;
   int count_;
   std::vector<double> areas_;
   std::vector<int> parent_, depth_, order_, winding_;
   std::vector<char> bounds_;
+  std::vector<int> region_of_;  // per loop; -1: no outer loop
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bernstein/curve.h"
+#include "check/box_pairs.h"
 
 namespace c1mesh::detail {
 namespace {
@@ -61,6 +62,55 @@ int winding_number(const Loop& loop, const Pieces& pieces, const Point& p) {
       sum += use.reversed ? -here : here;
     }
   return sum;
+}
+
+WindingIndex::WindingIndex(const std::vector<Loop>& loops, const Pieces& pieces) : pieces_(pieces) {
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    for (const CurveUse& use : loops[l])
+      for (int i = pieces.first[use.curve]; i < pieces.first[use.curve + 1]; ++i) {
+        const Box box = box_of(pieces.all[i].poles, 0);
+        entries_.push_back(
+            {box.low.y(), box.high.y(), box.high.x(), 0, static_cast<int>(l), i, use.reversed});
+      }
+  std::stable_sort(entries_.begin(), entries_.end(),
+                   [](const Entry& a, const Entry& b) { return a.low < b.low; });
+  arrange(0, static_cast<int>(entries_.size()));
+}
+
+double WindingIndex::arrange(int first, int last) {
+  if (first >= last) return -std::numeric_limits<double>::infinity();
+  const int middle = first + (last - first) / 2;
+  Entry& root = entries_[middle];
+  root.highest = std::max({root.high, arrange(first, middle), arrange(middle + 1, last)});
+  return root.highest;
+}
+
+void WindingIndex::search(int first, int last, const Point& p,
+                          const std::function<bool(int)>& wanted,
+                          std::vector<std::pair<int, int>>& out) const {
+  if (first >= last) return;
+  const int middle = first + (last - first) / 2;
+  const Entry& root = entries_[middle];
+  if (root.highest < p.y()) return;
+  search(first, middle, p, wanted, out);
+  if (root.low > p.y()) return;
+  if (root.high >= p.y() && root.right >= p.x() && wanted(root.loop))
+    if (const int here = crossings(pieces_.all[root.piece].poles, p, 0); here != 0)
+      out.emplace_back(root.loop, root.reversed ? -here : here);
+  search(middle + 1, last, p, wanted, out);
+}
+
+std::vector<std::pair<int, int>> WindingIndex::around(
+    const Point& p, const std::function<bool(int)>& wanted) const {
+  std::vector<std::pair<int, int>> found, out;
+  search(0, static_cast<int>(entries_.size()), p, wanted, found);
+  std::sort(found.begin(), found.end());
+  for (std::size_t i = 0; i < found.size();) {
+    std::pair<int, int> sum(found[i].first, 0);
+    for (; i < found.size() && found[i].first == sum.first; ++i) sum.second += found[i].second;
+    if (sum.second != 0) out.push_back(sum);
+  }
+  return out;
 }
 
 double signed_area(const Loop& loop, const Arrangement& arrangement) {

@@ -10,6 +10,7 @@
 
 #include "c1mesh/cost.h"
 #include "domain/cycles.h"
+#include "domain/window_sums.h"
 
 namespace c1mesh {
 namespace {
@@ -34,17 +35,7 @@ LoopProfile profile_of(const CurvedMesh& mesh, const std::vector<int>& vertices,
     out.length += ahead.norm();
     turn[k] = side * std::atan2(cross(behind, ahead), behind.dot(ahead));
   }
-  // Triangular window on either side.
-  const double window = out.length * window_share;
-  for (int k = 0; k < m; ++k) {
-    double sum = 0;
-    for (int j = 0; j < m; ++j) {
-      double distance = std::abs(out.at[j] - out.at[k]);
-      distance = std::min(distance, out.length - distance);
-      sum += std::max(0.0, 1 - distance / window) * turn[j];
-    }
-    out.bend.push_back(sum);
-  }
+  out.bend = window_sums(out.at, turn, out.at, out.length * window_share, out.length);
   return out;
 }
 
@@ -82,6 +73,16 @@ bool is_free(Role role) {
 std::vector<int> choose_by_curvature(const LoopProfile& profile, std::vector<char> free,
                                      std::vector<int> taken, const std::vector<int>& reflex,
                                      int missing) {
+  constexpr std::size_t kFew = 4'000'000;
+  // Of few, one by one: see window_sums.
+  const bool few = reflex.size() * free.size() <= kFew;
+  std::vector<double> crowded;
+  if (!few) {
+    std::vector<double> places;
+    for (int other : reflex) places.push_back(profile.at[other]);
+    crowded = window_sums(places, std::vector<double>(places.size(), 2), profile.at,
+                          profile.length / 12, profile.length);
+  }
   std::vector<int> chosen;
   for (; missing > 0; --missing) {
     int best = -1;
@@ -92,8 +93,11 @@ std::vector<int> choose_by_curvature(const LoopProfile& profile, std::vector<cha
       // Spacing: chain ends closer than a sixth of the loop cost a full turn, falling linearly.
       for (int other : taken)
         score -= 6 * std::max(0.0, 1 - 6 * distance(profile, k, other) / profile.length);
-      for (int other : reflex)
-        score -= 2 * std::max(0.0, 1 - 12 * distance(profile, k, other) / profile.length);
+      if (few)
+        for (int other : reflex)
+          score -= 2 * std::max(0.0, 1 - 12 * distance(profile, k, other) / profile.length);
+      else
+        score -= crowded[k];
       if (score > best_score) {
         best_score = score;
         best = k;
@@ -195,11 +199,13 @@ class CyclePlacer {
         corners_(joints) {}
 
   void place_inside(Roles& roles) {
+    count_rims(roles);
     for (const Cycle& cycle : cycles_)
       if (cycle.inside) place(cycle, roles);
   }
 
   void place_all(Roles& roles) {
+    count_rims(roles);
     for (const Cycle& cycle : cycles_) place(cycle, roles);
   }
 
@@ -210,26 +216,55 @@ class CyclePlacer {
     return 3 - have;
   }
 
-  std::set<int> on_lacking_rims(const Roles& roles) const {
-    std::set<int> out;
-    if (missing_corners(joints_, roles, 0) > 0)
-      for (const Joint& joint : joints_[0]) out.insert(joint.vertex);
-    for (const Cycle& cycle : cycles_)
-      if (!cycle.inside && missing(cycle, roles) > 0)
-        for (const CycleStop& stop : cycle.stops) out.insert(stop.vertex);
-    return out;
+  // The rims are the outer loop and the cycles around several faces: what each lacks, and which run
+  // through a vertex. They are counted once and kept up to date, for one of them may touch all
+  // faces.
+  struct RimStop {
+    int rim;
+    const CycleStop* stop;  // null on the outer loop
+  };
+
+  void count_rims(const Roles& roles) {
+    lacks_.assign(1, missing_corners(joints_, roles, 0));
+    rims_at_.clear();
+    for (const Joint& joint : joints_[0]) rims_at_[joint.vertex].push_back({0, nullptr});
+    for (const Cycle& cycle : cycles_) {
+      if (cycle.inside) continue;
+      for (const CycleStop& stop : cycle.stops)
+        rims_at_[stop.vertex].push_back({static_cast<int>(lacks_.size()), &stop});
+      lacks_.push_back(missing(cycle, roles));
+      rim_cycles_.resize(lacks_.size(), nullptr);
+      rim_cycles_.back() = &cycle;
+    }
+  }
+
+  bool on_lacking_rim(int vertex) const {
+    const auto found = rims_at_.find(vertex);
+    return found != rims_at_.end() &&
+           std::any_of(found->second.begin(), found->second.end(),
+                       [&](const RimStop& at) { return lacks_[at.rim] > 0; });
+  }
+
+  // An exceptional vertex was placed, where before no chain ended.
+  void update_rims(const CycleStop& placed, const Roles& roles) {
+    for (const RimStop& at : rims_at_[placed.vertex]) {
+      if (!at.stop) {
+        if (placed.path == 0) --lacks_[0];
+      } else if (at.stop->path == placed.path && at.stop->position == placed.position) {
+        lacks_[at.rim] -= corners_.kind(*rim_cycles_[at.rim], *at.stop, roles) > 0;
+      }
+    }
   }
 
   void place(const Cycle& cycle, Roles& roles) {
     for (int rest = missing(cycle, roles); rest > 0; rest = missing(cycle, roles)) {
-      const std::set<int> lacking = on_lacking_rims(roles);
       std::vector<int> vertices, taken, reflex;
       std::vector<char> free, serving;
       for (std::size_t k = 0; k < cycle.stops.size(); ++k) {
         const CycleStop& stop = cycle.stops[k];
         vertices.push_back(stop.vertex);
         free.push_back(corners_.may_take(cycle, stop, roles));
-        serving.push_back(free.back() && lacking.count(stop.vertex));
+        serving.push_back(free.back() && on_lacking_rim(stop.vertex));
         const int kind = corners_.kind(cycle, stop, roles);
         if (kind > 0) taken.push_back(static_cast<int>(k));
         if (kind < 0) reflex.push_back(static_cast<int>(k));
@@ -239,7 +274,10 @@ class CyclePlacer {
           choose(mesh_, vertices, CycleCorners::side(cycle), serves ? serving : free, taken, reflex,
                  rest, placement_);
       if (chosen.empty()) return;
-      for (const int k : chosen) corners_.place(cycle, cycle.stops[k], roles);
+      for (const int k : chosen) {
+        corners_.place(cycle, cycle.stops[k], roles);
+        update_rims(cycle.stops[k], roles);
+      }
     }
   }
 
@@ -248,6 +286,9 @@ class CyclePlacer {
   Placement placement_;
   std::vector<Cycle> cycles_;
   CycleCorners corners_;
+  std::vector<int> lacks_;                // per rim
+  std::vector<const Cycle*> rim_cycles_;  // null: the outer loop
+  std::map<int, std::vector<RimStop>> rims_at_;
 };
 
 }  // namespace
@@ -289,33 +330,56 @@ std::vector<Roles> one_more(const CurvedMesh& mesh, const Joints& joints, const 
                             int count) {
   const StageTimer timer("map: placement");
   constexpr double kApart = 1.0 / 24;  // of the loop's length
-  std::vector<Roles> out;
+  struct Candidate {
+    int loop, position;
+    Role role;
+    double bend;
+  };
+  std::vector<Candidate> wanted;
   for (std::size_t l = 0; l < mesh.loops.size(); ++l) {
     const double outer = l == 0 ? 1 : -1;
     std::vector<int> vertices;
     for (const Joint& joint : joints[l]) vertices.push_back(joint.vertex);
     for (const double side : {outer, -outer}) {
       const LoopProfile profile = profile_of(mesh, vertices, side, kApart);
-      std::vector<int> taken;
+      std::set<int> taken;
       const int m = static_cast<int>(joints[l].size());
       for (int k = 0; k < m; ++k)
-        if (ends_chain(roles[l][k])) taken.push_back(k);
+        if (ends_chain(roles[l][k])) taken.insert(k);
+      // The nearest of them along the loop are the next before and after.
+      const auto is_clear = [&](int k) {
+        if (taken.empty()) return true;
+        const auto after = taken.lower_bound(k);
+        const int ahead = after == taken.end() ? *taken.begin() : *after;
+        const int behind = after == taken.begin() ? *taken.rbegin() : *std::prev(after);
+        return !(distance(profile, k, ahead) < kApart * profile.length ||
+                 distance(profile, k, behind) < kApart * profile.length);
+      };
       for (int found = 0; found < count; ++found) {
         int best = -1;
         for (int k = 0; k < m; ++k) {
           if (ends_chain(roles[l][k]) || profile.bend[k] <= 0) continue;
-          if (std::any_of(taken.begin(), taken.end(), [&](int other) {
-                return distance(profile, k, other) < kApart * profile.length;
-              }))
-            continue;
-          if (best < 0 || profile.bend[k] > profile.bend[best]) best = k;
+          if (best >= 0 && !(profile.bend[k] > profile.bend[best])) continue;
+          if (is_clear(k)) best = k;
         }
         if (best < 0) break;
-        taken.push_back(best);
-        out.push_back(roles);
-        out.back()[l][best] = side == outer ? Role::exceptional : Role::released;
+        taken.insert(best);
+        wanted.push_back({static_cast<int>(l), best,
+                          side == outer ? Role::exceptional : Role::released, profile.bend[best]});
       }
     }
+  }
+  // Each costs whoever asks a domain stage: of many loops' the strongest bends are worth it.
+  constexpr std::size_t kMost = 64;
+  if (wanted.size() > kMost) {
+    std::stable_sort(wanted.begin(), wanted.end(),
+                     [](const Candidate& x, const Candidate& y) { return x.bend > y.bend; });
+    wanted.resize(kMost);
+  }
+  std::vector<Roles> out;
+  for (const Candidate& place : wanted) {
+    out.push_back(roles);
+    out.back()[place.loop][place.position] = place.role;
   }
   return out;
 }
@@ -361,12 +425,16 @@ int minimum_exceptional(const CurvedMesh& mesh, const Joints& joints) {
   }
   int count = static_cast<int>(branches.size());
   for (const Demand& demand : apart) count += std::max(0, demand.missing);
+  std::map<int, std::vector<int>> demands_at;  // vertex -> of `apart`
+  for (std::size_t k = 0; k < apart.size(); ++k)
+    for (const int v : apart[k].vertices) demands_at[v].push_back(static_cast<int>(k));
   for (const Demand& rim : rims) {
+    std::set<int> touched;
+    for (const int v : rim.vertices)
+      if (const auto found = demands_at.find(v); found != demands_at.end())
+        touched.insert(found->second.begin(), found->second.end());
     int served = 0;
-    for (const Demand& demand : apart)
-      if (std::any_of(demand.vertices.begin(), demand.vertices.end(),
-                      [&](int v) { return rim.vertices.count(v) > 0; }))
-        served += std::max(0, demand.missing);
+    for (const int k : touched) served += std::max(0, apart[k].missing);
     count += std::max(0, rim.missing - served);
   }
   return count;

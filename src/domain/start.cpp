@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "c1mesh/cost.h"
 #include "linear/sparse_solver.h"
+#include "mesh/box_pairs.h"
 #include "mesh/topology.h"
 
 namespace c1mesh {
@@ -223,19 +225,23 @@ std::vector<int> crossing_vertices(const CurvedMesh& mesh, const PointMatrix& po
     const double x = std::min(s.p.x(), s.q.x()), y = std::min(t.p.x(), t.q.x());
     return x != y ? x < y : s.a < t.a;
   });
+  std::vector<meshing::Box> boxes;
+  for (const Segment& s : segments) {
+    boxes.emplace_back(s.p);
+    boxes.back().extend(s.q);
+  }
+  std::vector<int> all(segments.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<std::pair<int, int>> pairs = meshing::meeting_pairs(boxes, all);
+  std::sort(pairs.begin(), pairs.end());
   std::vector<int> crossings;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const Segment& s = segments[i];
-    const double right = std::max(s.p.x(), s.q.x());
-    for (std::size_t j = i + 1; j < segments.size(); ++j) {
-      const Segment& t = segments[j];
-      if (std::min(t.p.x(), t.q.x()) > right) break;
-      if (s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b) continue;
-      const double o1 = cross(s.q - s.p, t.p - s.p), o2 = cross(s.q - s.p, t.q - s.p);
-      const double o3 = cross(t.q - t.p, s.p - t.p), o4 = cross(t.q - t.p, s.q - t.p);
-      if ((o1 > 0) != (o2 > 0) && (o3 > 0) != (o4 > 0))
-        crossings.insert(crossings.end(), {s.a, s.b, t.a, t.b});
-    }
+  for (const auto& [i, j] : pairs) {
+    const Segment &s = segments[i], &t = segments[j];
+    if (s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b) continue;
+    const double o1 = cross(s.q - s.p, t.p - s.p), o2 = cross(s.q - s.p, t.q - s.p);
+    const double o3 = cross(t.q - t.p, s.p - t.p), o4 = cross(t.q - t.p, s.q - t.p);
+    if ((o1 > 0) != (o2 > 0) && (o3 > 0) != (o4 > 0))
+      crossings.insert(crossings.end(), {s.a, s.b, t.a, t.b});
   }
   return crossings;
 }

@@ -52,24 +52,27 @@ class Pass {
         mesh.features.size(), left, [&](std::size_t l) -> auto& { return mesh.features[l].edges; });
     MeshSplitter splitter(mesh);
     for (const auto& [a, b] : left) splitter.split_edge(a, b);
-    for (const auto& [loop, index] : loops) splitter.split_boundary_edge(loop, index);
-    for (const auto& [line, index] : features) splitter.split_feature_edge(line, index);
+    for (const auto& [loop, indices] : loops) splitter.halve_all(mesh.loops[loop], indices, false);
+    for (const auto& [line, indices] : features)
+      splitter.halve_all(mesh.features[line].edges, indices, true);
   }
 
  private:
   static std::pair<int, int> ends(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-  // Takes the edges on these paths out of `chosen`; their places from the last to the first, since
-  // a split shifts what follows.
+  // Takes the edges on these paths out of `chosen`; (path, its edges' indices), all from the last
+  // to the first.
   template <class EdgesOf>
-  static std::vector<std::pair<int, int>> places_of(std::size_t paths,
-                                                    std::set<std::pair<int, int>>& chosen,
-                                                    const EdgesOf& edges_of) {
-    std::vector<std::pair<int, int>> places;
-    for (std::size_t l = paths; l-- > 0;)
+  static std::vector<std::pair<int, std::vector<int>>> places_of(
+      std::size_t paths, std::set<std::pair<int, int>>& chosen, const EdgesOf& edges_of) {
+    std::vector<std::pair<int, std::vector<int>>> places;
+    for (std::size_t l = paths; l-- > 0;) {
+      std::vector<int> indices;
       for (std::size_t k = edges_of(l).size(); k-- > 0;)
         if (chosen.erase(ends(edges_of(l)[k].a, edges_of(l)[k].b)))
-          places.emplace_back(static_cast<int>(l), static_cast<int>(k));
+          indices.push_back(static_cast<int>(k));
+      if (!indices.empty()) places.emplace_back(static_cast<int>(l), std::move(indices));
+    }
     return places;
   }
 

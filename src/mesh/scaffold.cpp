@@ -13,10 +13,18 @@ using namespace meshing;
 // False where constraints cross, pass through a vertex or meet on one point.
 bool insert_loops(const CurvedMesh& mesh, const std::vector<Point>& points, Triangulation& cdt) {
   std::vector<Vertex> handle(mesh.vertex_count());
+  // Neighbours on a loop are near each other: the search for the next one's face may begin there.
+  // Few points are inserted without: where four lie on a circle the order of the faces would be
+  // another.
+  constexpr std::size_t kMany = 4096;
+  std::size_t count = 0;
+  for (const auto& loop : mesh.loops) count += loop.size();
+  Face near;
   for (const auto& loop : mesh.loops)
     for (const BoundaryEdge& edge : loop) {
-      const Vertex v = cdt.insert(KernelPoint(points[edge.a].x(), points[edge.a].y()));
+      const Vertex v = cdt.insert(KernelPoint(points[edge.a].x(), points[edge.a].y()), near);
       if (v->info().number >= 0) return false;
+      if (count > kMany) near = v->face();
       v->info().number = edge.a;
       handle[edge.a] = v;
     }

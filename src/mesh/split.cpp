@@ -38,13 +38,11 @@ std::array<std::vector<Point>, 2> halves(std::vector<Point> p, double t) {
   return out;
 }
 
-// The edge that was split at the middle of its parameters becomes two.
-void halve_curve_edge(std::vector<BoundaryEdge>& edges, int index, int middle) {
-  const BoundaryEdge whole = edges[index];
+// The edge was split at the middle of its parameters.
+std::array<BoundaryEdge, 2> halves_of(const BoundaryEdge& whole, int middle) {
   const double t_middle = 0.5 * (whole.t0 + whole.t1);
-  edges[index].b = middle;
-  edges[index].t1 = t_middle;
-  edges.insert(edges.begin() + index + 1, {middle, whole.b, whole.curve, t_middle, whole.t1});
+  return {BoundaryEdge{whole.a, middle, whole.curve, whole.t0, t_middle},
+          BoundaryEdge{middle, whole.b, whole.curve, t_middle, whole.t1}};
 }
 
 }  // namespace
@@ -210,25 +208,47 @@ int MeshSplitter::split_edge(int a, int b, double t) {
   return middle;
 }
 
-int MeshSplitter::split_boundary_edge(int loop, int index) {
-  auto& edges = mesh_.loops.at(loop);
-  const BoundaryEdge whole = edges.at(index);
+std::array<BoundaryEdge, 2> MeshSplitter::halve(const BoundaryEdge& whole, bool feature) {
+  if (feature) return halves_of(whole, split_edge(whole.a, whole.b));
   const int t = find_triangle(whole.a, whole.b);
   if (t < 0) throw std::invalid_argument("split_boundary_edge: no triangle at this edge");
   const Net before = net(t);
   int middle = -1;
   const auto parts = split_edge_points(t, whole.a, whole.b, 0.5, middle);
   split_side(t, before, whole.a, whole.b, 0.5, middle, parts);
-  halve_curve_edge(edges, index, middle);
-  return middle;
+  return halves_of(whole, middle);
+}
+
+void MeshSplitter::halve_all(std::vector<BoundaryEdge>& path, const std::vector<int>& indices,
+                             bool feature) {
+  // Backwards, as the indices are.
+  std::vector<BoundaryEdge> out;
+  out.reserve(path.size() + indices.size());
+  std::size_t left = path.size();
+  for (const int index : indices) {
+    while (left > static_cast<std::size_t>(index) + 1) out.push_back(path[--left]);
+    const auto parts = halve(path[--left], feature);
+    out.push_back(parts[1]);
+    out.push_back(parts[0]);
+  }
+  while (left > 0) out.push_back(path[--left]);
+  path.assign(out.rbegin(), out.rend());
+}
+
+int MeshSplitter::split_boundary_edge(int loop, int index) {
+  auto& edges = mesh_.loops.at(loop);
+  const auto parts = halve(edges.at(index), false);
+  edges[index] = parts[0];
+  edges.insert(edges.begin() + index + 1, parts[1]);
+  return parts[0].b;
 }
 
 int MeshSplitter::split_feature_edge(int line, int index) {
   auto& edges = mesh_.features.at(line).edges;
-  const BoundaryEdge whole = edges.at(index);
-  const int middle = split_edge(whole.a, whole.b);
-  halve_curve_edge(edges, index, middle);
-  return middle;
+  const auto parts = halve(edges.at(index), true);
+  edges[index] = parts[0];
+  edges.insert(edges.begin() + index + 1, parts[1]);
+  return parts[0].b;
 }
 
 int MeshSplitter::split_triangle(int t, const Barycentric& where) {

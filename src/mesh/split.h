@@ -28,6 +28,13 @@ class MeshSplitter {
   int split_boundary_edge(int loop, int index);
   /// The same for features[line].edges[index], in the triangles on both sides.
   int split_feature_edge(int line, int index);
+  /// The same for an edge of a loop or, if `feature`, of a feature that the caller replaces in its
+  /// path by the halves returned: paths are lists, and many insertions would cost their square.
+  std::array<BoundaryEdge, 2> halve(const BoundaryEdge& whole, bool feature);
+  /// `halve` for edges of one path at these indices, from the first of them on; they must decrease.
+  void halve_all(std::vector<BoundaryEdge>& path, const std::vector<int>& indices, bool feature);
+  /// The triangles around a vertex, in no promised order.
+  const std::vector<int>& triangles_at(int vertex) const { return vertex_triangles_[vertex]; }
   /// Splits triangle t into three at a point strictly inside; returns the new vertex.
   int split_triangle(int t, const Barycentric& where);
   void finish();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -148,23 +149,44 @@ class Layer {
 
   // No two pieces may have the same two ends: their chords would be one.
   void make_simple() {
-    while (true) {
-      std::map<std::pair<int, int>, std::vector<int>> between;
-      for (int i = 0; i < static_cast<int>(nodes_.size()); ++i)
-        if (nodes_[i].twin < 0 || i < nodes_[i].twin)
-          between[std::minmax(nodes_[i].segment.start, nodes_[i].segment.end)].push_back(i);
+    // By ends: the pieces between them, increasing. Only those that break the rule are visited, in
+    // the order of the ends' numbers.
+    using Ends = std::pair<int, int>;
+    std::map<Ends, std::vector<int>> between;
+    std::set<Ends> wrong;
+    const auto counts = [&](int i) { return nodes_[i].twin < 0 || i < nodes_[i].twin; };
+    const auto ends_of = [&](int i) -> Ends {
+      return std::minmax(nodes_[i].segment.start, nodes_[i].segment.end);
+    };
+    const auto judge = [&](const Ends& ends) {
+      const std::size_t pieces = between[ends].size();
+      if (pieces > 1 || (pieces == 1 && ends.first == ends.second))
+        wrong.insert(ends);
+      else
+        wrong.erase(ends);
+    };
+    const auto enter = [&](int i) {
+      if (!counts(i)) return;
+      std::vector<int>& pieces = between[ends_of(i)];
+      pieces.insert(std::upper_bound(pieces.begin(), pieces.end(), i), i);
+      judge(ends_of(i));
+    };
+    for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) enter(i);
+    while (!wrong.empty()) {
+      const Ends ends = *wrong.begin();
       int longest = -1;
-      for (const auto& [ends, pieces] : between) {
-        if (pieces.size() == 1 && ends.first != ends.second) continue;
-        for (const int i : pieces)
-          if (!nodes_[i].segment.straight &&
-              (longest < 0 || polygon_length(i) > polygon_length(longest)))
-            longest = i;
-        if (longest < 0) throw std::runtime_error("two straight curves have the same ends");
-        break;
-      }
-      if (longest < 0) return;
+      for (const int i : between[ends])
+        if (!nodes_[i].segment.straight &&
+            (longest < 0 || polygon_length(i) > polygon_length(longest)))
+          longest = i;
+      if (longest < 0) throw std::runtime_error("two straight curves have the same ends");
+      const int twin = nodes_[longest].twin, count = static_cast<int>(nodes_.size());
+      std::erase(between[ends], longest);
       split(longest);
+      judge(ends);
+      enter(longest);
+      if (twin >= 0) enter(twin);
+      for (int i = count; i < static_cast<int>(nodes_.size()); ++i) enter(i);
     }
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "c1mesh/cost.h"
 #include "domain/apart.h"
@@ -36,9 +37,10 @@ std::vector<int> worst_vertices(const std::vector<C1Edge>& edges, const PointMat
     worst.emplace_back(-largest_residue({edges[k]}, domain, control), k);
   std::sort(worst.begin(), worst.end());
   std::vector<int> out;
+  std::vector<char> listed(mesh_vertices, 0);
   for (std::size_t k = 0; k < worst.size() && worst[k].first < 0.1 * worst[0].first; ++k)
     for (int v : edges[worst[k].second].vertex)
-      if (v < mesh_vertices && std::find(out.begin(), out.end(), v) == out.end()) out.push_back(v);
+      if (v < mesh_vertices && !std::exchange(listed[v], 1)) out.push_back(v);
   return out;
 }
 

@@ -127,22 +127,25 @@ void check_pieces_apart(const Surface& surface, const std::vector<LoopCurves>& l
     for (const auto& poles : loop) all.insert(all.end(), poles.begin(), poles.end());
     box.push_back(box_of(all));
   }
-  for (int c = 0; c < surface.components; ++c)
-    for (int other = 0; other < surface.components; ++other) {
-      if (c == other || outer[c] < 0) continue;
-      const Point q = loops[outer[c]][0][0];
-      int number = 0;
-      for (std::size_t l = 0; l < loops.size(); ++l) {
-        const bool inside = q.x() >= box[l].low[0] && q.x() <= box[l].high[0] &&
-                            q.y() >= box[l].low[1] && q.y() <= box[l].high[1];
-        if (surface.loop_component[l] != other || !inside) continue;
-        const Winding winding = winding_around(loops[l], q, depth);
-        if (!winding.known)
-          findings.unknown.add(fmt::format("piece {} may lie in piece {}", c, other));
-        number += winding.number;
-      }
-      if (number != 0) findings.crossing.add(fmt::format("piece {} lies in piece {}", c, other));
-    }
+  std::vector<Point> starts;  // one on each piece's outer loop
+  std::vector<int> piece;     // whose
+  for (int c = 0; c < surface.components; ++c) {
+    if (outer[c] < 0) continue;
+    starts.push_back(loops[outer[c]][0][0]);
+    piece.push_back(c);
+  }
+  // Outside its box a loop winds zero times.
+  std::map<std::pair<int, int>, int> number;  // (piece, other piece)
+  for (const auto& [i, l] : containing_pairs(starts, box)) {
+    const int c = piece[i], other = surface.loop_component[l];
+    if (c == other) continue;
+    const Winding winding = winding_around(loops[l], starts[i], depth);
+    if (!winding.known) findings.unknown.add(fmt::format("piece {} may lie in piece {}", c, other));
+    number[{c, other}] += winding.number;
+  }
+  for (const auto& [pieces, winding] : number)
+    if (winding != 0)
+      findings.crossing.add(fmt::format("piece {} lies in piece {}", pieces.first, pieces.second));
 }
 
 }  // namespace

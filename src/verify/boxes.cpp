@@ -6,6 +6,23 @@
 #include <algorithm>
 
 namespace c1mesh::verification {
+namespace {
+
+using Handled = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Box*>;
+
+std::vector<Handled> handled_of(const std::vector<Box>& boxes) {
+  std::vector<Handled> out;
+  for (const Box& box : boxes) {
+    Handled h(&box);
+    std::array<double, 2> low = box.low, high = box.high;
+    h.extend(low.data());
+    h.extend(high.data());
+    out.push_back(h);
+  }
+  return out;
+}
+
+}  // namespace
 
 Box box_of(const std::vector<Point>& points) {
   Box box{{points[0].x(), points[0].y()}, {points[0].x(), points[0].y()}};
@@ -18,15 +35,7 @@ Box box_of(const std::vector<Point>& points) {
 }
 
 std::vector<std::pair<int, int>> meeting_pairs(const std::vector<Box>& boxes) {
-  using Handled = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Box*>;
-  std::vector<Handled> handled;
-  for (const Box& box : boxes) {
-    Handled h(&box);
-    std::array<double, 2> low = box.low, high = box.high;
-    h.extend(low.data());
-    h.extend(high.data());
-    handled.push_back(h);
-  }
+  std::vector<Handled> handled = handled_of(boxes);
   std::vector<std::pair<int, int>> pairs;
   if (boxes.size() < 2) return pairs;
   CGAL::box_self_intersection_d(handled.begin(), handled.end(),
@@ -35,6 +44,21 @@ std::vector<std::pair<int, int>> meeting_pairs(const std::vector<Box>& boxes) {
                                   const int j = static_cast<int>(b.handle() - boxes.data());
                                   pairs.emplace_back(std::min(i, j), std::max(i, j));
                                 });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::vector<std::pair<int, int>> containing_pairs(const std::vector<Point>& points,
+                                                  const std::vector<Box>& boxes) {
+  std::vector<Box> small;
+  for (const Point& p : points) small.push_back({{p.x(), p.y()}, {p.x(), p.y()}});
+  std::vector<Handled> first = handled_of(small), second = handled_of(boxes);
+  std::vector<std::pair<int, int>> pairs;
+  CGAL::box_intersection_d(first.begin(), first.end(), second.begin(), second.end(),
+                           [&](const Handled& a, const Handled& b) {
+                             pairs.emplace_back(static_cast<int>(a.handle() - small.data()),
+                                                static_cast<int>(b.handle() - boxes.data()));
+                           });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

@@ -116,14 +116,18 @@ void count_minimum(const Subject& subject, Metrics& metrics) {
     metrics.exceptional_minimum += demand.missing;
     metrics.exceptional_minimum_paper += demand.missing_of_any;
   }
+  std::map<int, std::vector<int>> demands_at;  // vertex -> of `apart`
+  for (std::size_t k = 0; k < apart.size(); ++k)
+    for (const int v : apart[k].vertices) demands_at[v].push_back(static_cast<int>(k));
   for (const Demand& rim : rims) {
+    std::set<int> touched;
+    for (const int v : rim.vertices)
+      if (const auto found = demands_at.find(v); found != demands_at.end())
+        touched.insert(found->second.begin(), found->second.end());
     int served = 0, served_by_any = 0;
-    for (const Demand& demand : apart) {
-      if (std::none_of(demand.vertices.begin(), demand.vertices.end(),
-                       [&](int v) { return rim.vertices.count(v) > 0; }))
-        continue;
-      served += demand.missing;
-      served_by_any += demand.missing_of_any;
+    for (const int k : touched) {
+      served += apart[k].missing;
+      served_by_any += apart[k].missing_of_any;
     }
     metrics.exceptional_minimum += std::max(0, rim.missing - served);
     metrics.exceptional_minimum_paper += std::max(0, rim.missing_of_any - served_by_any);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The domain: triangles oriented, fans wound once, and whether pieces of it overlap in the plane.
 #include <algorithm>
+#include <map>
 
 #include "verify/boxes.h"
 #include "verify/checks.h"
@@ -78,17 +79,23 @@ bool pieces_overlap(const Subject& subject) {
   }
   for (const int count : counter_clockwise)
     if (count != 1) return true;
-  for (std::size_t l = 0; l < loops.size(); ++l)
-    for (int other = 0; other < surface.components; ++other) {
-      if (surface.loop_component[l] == other) continue;
-      int number = 0;
-      for (std::size_t m = 0; m < loops.size(); ++m)
-        if (surface.loop_component[m] == other)
-          number +=
-              winding_around(loops[m], loops[l][0][0], subject.options.max_subdivision).number;
-      if (number != 0) return true;
-    }
-  return false;
+  std::vector<Point> starts;
+  std::vector<Box> boxes;
+  for (const auto& loop : loops) {
+    starts.push_back(loop[0][0]);
+    std::vector<Point> corners;
+    for (const auto& edge : loop) corners.push_back(edge[0]);
+    boxes.push_back(box_of(corners));
+  }
+  // Outside its box a loop winds zero times.
+  std::map<std::pair<int, int>, int> number;  // (loop, other piece)
+  for (const auto& [l, m] : containing_pairs(starts, boxes)) {
+    const int other = surface.loop_component[m];
+    if (surface.loop_component[l] != other)
+      number[{l, other}] +=
+          winding_around(loops[m], starts[l], subject.options.max_subdivision).number;
+  }
+  return std::any_of(number.begin(), number.end(), [](const auto& n) { return n.second != 0; });
 }
 
 }  // namespace

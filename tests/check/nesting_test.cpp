@@ -94,5 +94,30 @@ TEST(Nesting, ManyHoles) {
   EXPECT_EQ(holes_of(make_shape(drawing_of(curves))), (std::vector<std::size_t>{2000}));
 }
 
+TEST(Nesting, ManyHolesFeaturesAndIslandsGoToTheirRegions) {
+  // Frames with a hole each, an island in each hole, and a line on each frame and island.
+  std::vector<std::vector<Point>> curves;
+  constexpr int kSide = 6;
+  for (int x = 0; x < kSide; ++x)
+    for (int y = 0; y < kSide; ++y) {
+      curves = curves + square(10 * x, 10 * y, 8) + square(10 * x + 2, 10 * y + 2, 4) +
+               square(10 * x + 3, 10 * y + 3, 2);
+    }
+  for (int x = 0; x < kSide; ++x)
+    for (int y = 0; y < kSide; ++y)
+      for (const double at : {1.0, 3.5})
+        curves.push_back({{10 * x + at, 10 * y + at}, {10 * x + at + .3, 10 * y + at}});
+  const Shape shape = make_shape(drawing_of(curves));
+  EXPECT_EQ(broken_promise(shape), "");
+  ASSERT_EQ(shape.regions.size(), 2u * kSide * kSide);
+  for (const Region& region : shape.regions) {
+    const bool frame = region.holes.size() == 1;
+    ASSERT_EQ(region.features.size(), 1u);
+    const Point corner = shape.curves[region.outer[0].curve].start();
+    const Point start = shape.curves[region.features[0].curves[0].curve].start();
+    EXPECT_LT((start - corner).norm(), frame ? 12 : 3);
+  }
+}
+
 }  // namespace
 }  // namespace c1mesh

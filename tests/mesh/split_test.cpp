@@ -103,6 +103,22 @@ TEST_P(Split, UniformRefinementKeepsTheMap) {
 
 INSTANTIATE_TEST_SUITE_P(Degrees, Split, testing::Values(3, 4, 5));
 
+TEST(SplitPaths, HalvingAllIsHalvingOneAfterTheOther) {
+  CurvedMesh one = sample(3), all = one;
+  const int last = static_cast<int>(one.loops[0].size()) - 1;
+  const std::vector<int> indices = {last, last - 1, 3, 0};
+  for (const int index : indices) split_boundary_edge(one, 0, index);
+  MeshSplitter(all).halve_all(all.loops[0], indices, false);
+  EXPECT_EQ(one.triangles, all.triangles);
+  EXPECT_EQ(one.nets, all.nets);
+  EXPECT_EQ(one.control, all.control);
+  ASSERT_EQ(one.loops[0].size(), all.loops[0].size());
+  for (std::size_t k = 0; k < one.loops[0].size(); ++k) {
+    const BoundaryEdge &a = one.loops[0][k], &b = all.loops[0][k];
+    EXPECT_TRUE(a.a == b.a && a.b == b.b && a.curve == b.curve && a.t0 == b.t0 && a.t1 == b.t1);
+  }
+}
+
 TEST(SplitArguments, EdgesThatDoNotExistAreRefused) {
   CurvedMesh mesh = sample(3);
   const CurvedMesh before = mesh;

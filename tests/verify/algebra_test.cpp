@@ -124,5 +124,25 @@ TEST(Boxes, PairsAreThoseOfTheQuadraticSearch) {
   EXPECT_EQ(meeting_pairs(boxes), expected);
 }
 
+TEST(Boxes, PointsAreFoundInAllBoxesThatHoldThem) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> place(0, 10), size(0, 3);
+  std::vector<Box> boxes;
+  std::vector<Point> points;
+  for (int i = 0; i < 100; ++i) {
+    const double x = place(random), y = place(random);
+    boxes.push_back({{x, y}, {x + size(random), y + size(random)}});
+    points.emplace_back(place(random), place(random));
+  }
+  points.emplace_back(boxes[0].high[0], boxes[0].low[1]);  // on a corner
+  std::vector<std::pair<int, int>> expected;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i)
+    for (int j = 0; j < static_cast<int>(boxes.size()); ++j)
+      if (boxes[j].low[0] <= points[i].x() && points[i].x() <= boxes[j].high[0] &&
+          boxes[j].low[1] <= points[i].y() && points[i].y() <= boxes[j].high[1])
+        expected.emplace_back(i, j);
+  EXPECT_EQ(containing_pairs(points, boxes), expected);
+}
+
 }  // namespace
 }  // namespace c1mesh::verification
