@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/float_traps.h"
 #include "read/formats.h"
 
 namespace c1mesh::detail {
@@ -39,6 +40,7 @@ void check_depth(const std::string& text, int max_depth) {
 
 json parse(const std::string& text) {
   try {
+    const FloatTrapsOff overflow;  // of 1e999, refused as out of range
     return json::parse(text);
   } catch (const json::exception& error) {
     // The library's message starts with its own error number in brackets: not for the user.
