@@ -3,24 +3,35 @@
 // on the number of threads.
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <cstddef>
 
 #include "base/loop_order.h"
 
 namespace c1mesh {
 
+namespace detail {
+
+/// Calls work(data, begin, end) for ranges that make up [0, count), in any order and threads.
+void parallel_ranges(std::size_t count, std::size_t grain,
+                     void (*work)(const void* data, std::size_t begin, std::size_t end),
+                     const void* data);
+
+}  // namespace detail
+
 /// `grain`: how many items at least make a piece of work; 1 for items of many milliseconds.
 template <class Body>
 void parallel_for(std::size_t count, const Body& body, std::size_t grain = 16) {
   LoopOrder order;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      const LoopOrder::Items items(order);
-                      for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-                    });
+  const auto range = [&](std::size_t begin, std::size_t end) {
+    const LoopOrder::Items items(order);
+    for (std::size_t i = begin; i != end; ++i) body(i);
+  };
+  detail::parallel_ranges(
+      count, grain,
+      [](const void* data, std::size_t begin, std::size_t end) {
+        (*static_cast<decltype(&range)>(data))(begin, end);
+      },
+      &range);
 }
 
 }  // namespace c1mesh
