@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Traps of the floating-point unit: with them on, an operation that makes a NaN out of numbers, or
-// an infinity by division, ends the process with SIGFPE where it happens. Off unless asked for; the
-// tests ask, and the program if built with C1MESH_TRAP_FLOATS. Where the C library has no traps
-// (others than glibc) all this does nothing.
+// an infinity by division or overflow, ends the process with SIGFPE where it happens. Off unless
+// asked for; the tests ask, and the program if built with C1MESH_TRAP_FLOATS. Where the C library
+// has no traps (others than glibc) all this does nothing.
 #pragma once
 
 #include <cfenv>
 
 namespace c1mesh {
 
-/// What a trap is set for. Not overflow: a trial step that is too long may overflow to infinity on
-/// its way to being refused, and every comparison with infinity is exact.
-inline constexpr int kTrappedFloats = FE_INVALID | FE_DIVBYZERO;
+/// What a trap is set for. Not underflow, nor what is inexact: both are everyday.
+inline constexpr int kTrappedFloats = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
 
 /// From here on in this thread. Threads and arenas of TBB take the setting over from the thread
 /// that makes them, so the call belongs before the first parallel loop.

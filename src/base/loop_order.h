@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What comes before what in a parallel loop, told to the thread sanitizer. TBB's library is not
-// compiled with it, so that it does not see how TBB hands work to threads and waits for them. It is
-// told that the items come after what the caller did before the loop, and before what the caller
-// does next; nothing orders two items, so that it finds races between them.
+// What comes before what in a parallel loop, told to the thread sanitizer. TBB is not compiled with
+// it (nor is parallel.cpp), so that it does not see how TBB hands work to threads and waits for
+// them. It is told that the items come after what the caller did before the loop, and before what
+// the caller does next; nothing orders two items, so that it finds races between them.
 #pragma once
 
 #ifdef __SANITIZE_THREAD__

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "base/float_traps.h"
 #include "base/hostile_text.h"
 #include "read/formats.h"
 
@@ -177,6 +178,7 @@ void for_each_curve(const std::string& text, const ReadOptions& options,
            fmt::format("the input is nested deeper than {} levels", options.max_depth),
            "give a flat list of curves, or raise the limit (--max-depth)");
   CurveList list(options, entry);
+  const FloatTrapsOff overflow;  // of 1e999, refused as out of range
   json::sax_parse(text, &list);
   list.finish();
 }

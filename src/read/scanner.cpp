@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/float_traps.h"
+
 namespace c1mesh::detail {
 namespace {
 
@@ -64,6 +66,7 @@ double Scanner::number() {
   double value = 0;
   if (std::from_chars(first, last, value).ec == std::errc::result_out_of_range) {
     // Underflow is zero or a subnormal, which is fine; overflow is not.
+    const FloatTrapsOff overflow;
     value = std::strtod(std::string(first, last).c_str(), nullptr);
     if (std::isinf(value)) fail("number out of range");
   }

@@ -10,6 +10,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/float_traps.h"
+#include "base/hostile_text.h"
 #include "c1mesh/certificate.h"
 #include "c1mesh/error.h"
 
@@ -165,10 +167,13 @@ double read_bound(const Json& bounds, const char* key, double unknown) {
 }
 
 Json parse_json(const std::string& text) {
+  constexpr int kDeepest = 8;  // copies and prints recurse
+  if (json_deeper_than(text, kDeepest)) fail("is nested too deeply");
   try {
+    const FloatTrapsOff overflow;  // of 1e999, refused as out of range
     return Json::parse(text);
   } catch (const Json::exception& error) {
-    fail(std::string("is not JSON: ") + error.what());
+    fail("is not JSON: " + json_error_text(error.what()));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/float_traps.h"
 #include "c1mesh/error.h"
 #include "c1mesh/trace.h"
 
@@ -33,6 +34,7 @@ class Line {
  public:
   Line(const std::string& text, std::size_t number) : number_(number) {
     try {
+      const FloatTrapsOff overflow;  // of 1e999, refused as out of range
       object_ = Json::parse(text);
     } catch (const Json::exception& error) {
       fail(std::string("is not JSON: ") + error.what());
@@ -128,6 +130,7 @@ std::vector<TraceLine> parse_trace(const std::string& text) {
 }
 
 bool is_trace(const std::string& text) {
+  const FloatTrapsOff overflow;  // as above
   const Json first = Json::parse(text.substr(0, text.find('\n')), nullptr, false);
   return first.is_object() && first.contains("e_s") && first.contains("stage");
 }

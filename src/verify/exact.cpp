@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/float_traps.h"
+
 namespace c1mesh::verification {
 namespace {
 
@@ -49,6 +51,7 @@ Rational exact_area(const Vec<Rational>& a, const Vec<Rational>& b, const Vec<Ra
 }
 
 int orientation(const Point& a, const Point& b, const Point& c) {
+  const FloatTrapsOff overflow;  // is seen below; rationals have none
   const double left = (b.x() - a.x()) * (c.y() - a.y());
   const double right = (b.y() - a.y()) * (c.x() - a.x());
   // Each product carries at most three rounding errors and the difference one more: 4 u of the sum

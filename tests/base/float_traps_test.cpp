@@ -28,6 +28,11 @@ TEST(FloatTrapsDeathTest, TestsEndOnAPole) {
   EXPECT_DEATH(logarithm(0), "");
 }
 
+TEST(FloatTrapsDeathTest, TestsEndOnOverflow) {
+  volatile double large = 1e200;
+  EXPECT_DEATH(large = large * large, "");
+}
+
 TEST(FloatTraps, AreOffInAScopeAndOnAgainAfterIt) {
   ASSERT_EQ(fegetexcept() & kTrappedFloats, kTrappedFloats);
   {
