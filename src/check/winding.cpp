@@ -95,7 +95,7 @@ void WindingIndex::search(int first, int last, const Point& p,
   search(first, middle, p, wanted, out);
   if (root.low > p.y()) return;
   if (root.high >= p.y() && root.right >= p.x() && wanted(root.loop))
-    if (const int here = crossings(pieces_.all[root.piece].poles, p, 0); here != 0)
+    if (const int here = crossings(pieces_.all[root.piece].poles, p); here != 0)
       out.emplace_back(root.loop, root.reversed ? -here : here);
   search(middle + 1, last, p, wanted, out);
 }

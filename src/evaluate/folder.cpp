@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <new>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -46,6 +47,7 @@ Names names_in(const std::string& folder) {
     add(out.results, kResult);
     add(out.logs, kLog);
   }
+  if (error == std::errc::not_enough_memory) throw std::bad_alloc();
   if (error) throw FileError(fmt::format("cannot read the folder {}: {}", folder, error.message()));
   if (out.results.empty() && out.logs.empty())
     throw FileError(fmt::format("{}: no results (NAME{}) in this folder", folder, kResult));
