@@ -7,6 +7,7 @@
 #include "app/command.h"
 #include "app/inputs.h"
 #include "app/interrupt.h"
+#include "app/limits.h"
 #include "app/road.h"
 
 namespace c1mesh::app {
@@ -15,6 +16,7 @@ namespace {
 struct RunArguments {
   InputArguments inputs;
   std::string trace;  // file, empty: none
+  double memory_limit = 0;
   RunOptions options;
 };
 
@@ -71,6 +73,7 @@ Status run_input(Run& run, const Input& input) {
 
 Status run_inputs(Console& console, const RunArguments& arguments) {
   catch_signals();
+  limit_memory(arguments.memory_limit);
   Run run{console, arguments, {}};
   Status status = Status::ok;
   for (const Input& input : inputs_of(arguments.inputs, arguments.options.read)) {
@@ -99,6 +102,7 @@ Command add_run(CLI::App& app) {
                   "Folder for NAME.c1.json and the rest; -: the JSON alone to standard output")
       ->required();
   add_run_options(*cli, arguments->options);
+  add_memory_limit(*cli, arguments->memory_limit, "");
   cli->add_option("--trace", arguments->trace,
                   "Also this file, one JSON object per iteration; c1mesh draw makes a plot of it")
       ->check([](const std::string& path) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/limits.h"
 #include "app/paper_options.h"
 #include "app/validators.h"
 
@@ -72,6 +73,7 @@ void add_run_options(CLI::App& cli, RunOptions& options) {
       ->capture_default_str()
       ->check(CLI::IsMember({"json", "svg", "vtu", "msh", "mesh", "obj"}));
   add_together(cli, options.read);
+  add_read_limits(cli, options.read);
   cli.add_flag("--trade-off", options.trade_off,
                "Also NAME.tradeoff.json and .svg: g against the number of exceptional vertices");
   add_method_options(cli, options.options);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/command.h"
+#include "app/limits.h"
 #include "app/summary.h"
 
 namespace c1mesh::app {
@@ -17,6 +18,7 @@ struct VerifyArguments {
   std::vector<std::string> results;
   std::string input;
   ReadOptions read;
+  double memory_limit = 0;
 };
 
 // The input's drawing that the result was made of: the only one, or the one of the same name.
@@ -30,7 +32,7 @@ Shape input_shape(const VerifyArguments& arguments, const Result& result) {
 }
 
 Status verify_file(Console& console, const VerifyArguments& arguments, const std::string& path) {
-  const Result result = read_result(path);
+  const Result result = read_result(path, arguments.read.max_bytes);
   const VerifyOptions bounds = claimed_bounds(result);
   const VerifyReport report = arguments.input.empty()
                                   ? verify(result, bounds)
@@ -44,6 +46,7 @@ Status verify_file(Console& console, const VerifyArguments& arguments, const std
 }
 
 Status verify_files(Console& console, const VerifyArguments& arguments) {
+  limit_memory(arguments.memory_limit);
   Status status = Status::ok;
   for (const std::string& path : arguments.results)
     status = worse(status,
@@ -59,6 +62,8 @@ Command add_verify(CLI::App& app) {
   cli->add_option("RESULT", arguments->results, "NAME.c1.json files")->required();
   cli->add_option("--input", arguments->input, "Also compare with the shape they were made of");
   cli->add_flag("--together", arguments->read.together, "The input was taken as one arrangement");
+  add_read_limits(*cli, arguments->read);
+  add_memory_limit(*cli, arguments->memory_limit, "");
   return {cli, [arguments](Console& console) { return verify_files(console, *arguments); }};
 }
 

@@ -2,6 +2,7 @@
 #include "linear/sparse_solver.h"
 
 #include <Eigen/CholmodSupport>
+#include <new>
 #include <vector>
 
 namespace c1mesh {
@@ -10,6 +11,11 @@ struct SparseSolver::State {
   Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower> factor;
   std::vector<int> outer, inner;  // the analysed pattern
   bool analysed = false;
+
+  // Without memory CHOLMOD returns nothing and Eigen goes on with it.
+  void require_memory() {
+    if (factor.cholmod().status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+  }
 
   bool same_pattern(const SparseMatrix& m) const {
     return analysed && outer.size() == static_cast<std::size_t>(m.outerSize() + 1) &&
@@ -30,18 +36,23 @@ SparseSolver& SparseSolver::operator=(SparseSolver&&) noexcept = default;
 
 bool SparseSolver::factorise(const SparseMatrix& matrix, double shift) {
   if (!state_->same_pattern(matrix)) {
+    state_->analysed = false;
     state_->factor.analyzePattern(matrix);
+    state_->require_memory();
     state_->outer.assign(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.outerSize() + 1);
     state_->inner.assign(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
     state_->analysed = true;
   }
   state_->factor.setShift(shift);
   state_->factor.factorize(matrix);
+  state_->require_memory();
   return state_->factor.info() == Eigen::Success;
 }
 
 Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right) const {
-  return state_->factor.solve(right);
+  Eigen::VectorXd out = state_->factor.solve(right);
+  state_->require_memory();
+  return out;
 }
 
 bool factorise_shifted(SparseSolver& solver, const SparseMatrix& matrix, double base) {

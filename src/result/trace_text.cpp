@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/hostile_text.h"
 #include "c1mesh/error.h"
 #include "c1mesh/trace.h"
 
@@ -32,10 +33,13 @@ Json json_of(const TraceLine& line) {
 class Line {
  public:
   Line(const std::string& text, std::size_t number) : number_(number) {
+    constexpr int kDeepest = 32;  // one is all there is
+    if (json_deeper_than(text, kDeepest))
+      fail(fmt::format("is nested deeper than {} levels", kDeepest));
     try {
       object_ = Json::parse(text);
     } catch (const Json::exception& error) {
-      fail(std::string("is not JSON: ") + error.what());
+      fail("is not JSON: " + json_error_text(error.what()));
     }
     if (!object_.is_object()) fail("is not a JSON object");
   }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "check/drawings.h"
+#include "check/winding.h"
 
 namespace c1mesh {
 namespace {
@@ -92,6 +94,28 @@ TEST(Nesting, ManyHoles) {
       curves.insert(curves.end(), hole.begin(), hole.end());
     }
   EXPECT_EQ(holes_of(make_shape(drawing_of(curves))), (std::vector<std::size_t>{2000}));
+}
+
+// A piece that contains the point is halved around it: at the end of a double's digits no longer,
+// or each of these would take a hundred million halvings.
+TEST(Winding, APointOnALineTakesNoTime) {
+  detail::Pieces pieces;
+  detail::Piece line;
+  line.curve = 0;
+  pieces.first = {0, 1};
+  const auto start = std::chrono::steady_clock::now();
+  for (const double slope : {0.0, 1.0, -3.0, 1e-9}) {
+    line.poles = {{0, 0.25}, {1, 0.25 + slope}};
+    pieces.all = {line};
+    for (int k = 0; k <= 50; ++k) {
+      const double x = k / 50.0;
+      const int crossings = detail::winding_number(Loop{{0, false}}, pieces, {x, 0.25 + slope * x});
+      EXPECT_LE(std::abs(crossings), 1);
+      if (slope == 0) EXPECT_EQ(crossings, 0);
+    }
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(taken.count(), 20);
 }
 
 }  // namespace
