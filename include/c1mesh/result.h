@@ -65,8 +65,9 @@ struct Result {
   Metrics metrics;
 };
 
-/// Reads `NAME.c1.json`. Throws FileError or InputError (malformed); never yields bad indices.
-Result read_result(const std::string& path);
+/// Reads `NAME.c1.json`. Throws FileError or InputError (malformed; limit: more than `max_bytes`);
+/// never yields bad indices.
+Result read_result(const std::string& path, std::size_t max_bytes = 200'000'000);
 Result parse_result(const std::string& text, const std::string& name);
 
 /// The file's text; doubles read back bit for bit (docs/format.md).

@@ -11,6 +11,7 @@
 #include "app/batch_pool.h"
 #include "app/command.h"
 #include "app/interrupt.h"
+#include "app/limits.h"
 #include "app/validators.h"
 #include "c1mesh/version.h"
 
@@ -249,10 +250,7 @@ Command add_batch(CLI::App& app) {
          "more, if there is one")
       ->capture_default_str()
       ->check(at_least(0));
-  cli->add_option("--memory-limit", options.memory_limit,
-                  "MB of address space for each process; 0: none")
-      ->capture_default_str()
-      ->check(at_least(0));
+  add_memory_limit(*cli, options.memory_limit, " for each process");
   add_run_options(*cli, options.run);
   arguments->cli = cli;
   cli->footer(kBatchFooter + app.get_footer());

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <unistd.h>
 #ifdef __linux__
 #include <sys/prctl.h>
@@ -18,6 +17,7 @@
 
 #include "app/command.h"
 #include "app/interrupt.h"
+#include "app/limits.h"
 #include "app/road.h"
 
 namespace c1mesh::app {
@@ -148,13 +148,6 @@ void die_with_parent(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, signal_to_the_abandoned());
 #endif
   if (getppid() != parent) _exit(static_cast<int>(Status::internal));
-}
-
-void limit_memory(double megabytes) {
-  if (megabytes <= 0) return;
-  const auto bytes = static_cast<rlim_t>(megabytes * 1e6);
-  const rlimit limit = {bytes, bytes};
-  setrlimit(RLIMIT_AS, &limit);
 }
 
 // What libraries print before they abort; the batch itself speaks for its children.

@@ -15,7 +15,7 @@ namespace c1mesh::app {
 namespace {
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestList = 1'000'000'000;  // bytes
+constexpr std::size_t kLongestList = 200'000'000;  // bytes, about a million paths
 
 std::vector<std::string> files_of_folder(const std::string& folder) {
   std::vector<std::string> paths;
@@ -133,7 +133,10 @@ bool Stems::clashes(const std::string& stem, bool many) const {
 std::string Stems::claim(const std::string& wanted, bool many) {
   const std::string name = safe_name(wanted);
   std::string stem = name;
-  for (int number = 2; clashes(stem, many); ++number) {
+  // Where the last search ended: a list may give one name a hundred thousand times.
+  int& number = last_.emplace(name, 1).first->second;
+  while (clashes(stem, many)) {
+    ++number;
     // A name whose beginning clashes would clash again with a mark at its end: the mark then goes
     // before the first separator, so that no beginning is the same.
     const std::size_t at = taken_.count(stem) ? name.size() : name.find_first_of(".-");

@@ -50,6 +50,7 @@ class Stems {
  private:
   bool clashes(const std::string& stem, bool many) const;
 
+  std::map<std::string, int> last_;  // per name wanted: the last number tried
   // stem -> many; the batch's own files have names too.
   std::map<std::string, bool> taken_ = {{"index", false}, {"times", false}, {"journal", false}};
 };

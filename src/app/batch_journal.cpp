@@ -31,6 +31,15 @@ Finished from_json(const Json& json) {
           json.at("files")};
 }
 
+// Copies of trees recurse, and nothing of a journal is deep.
+bool refuse_depth(int depth, Json::parse_event_t, Json&) {
+  constexpr int kDeepest = 32;
+  if (depth > kDeepest)
+    throw std::invalid_argument(
+        fmt::format("no journal of a batch: nested deeper than {} levels", kDeepest));
+  return true;
+}
+
 // A sentence for each value that differs.
 std::string differences(const Json& before, const Json& now) {
   std::string out;
@@ -100,7 +109,7 @@ void Journal::read_lines(const Json& header, bool resume) {
   for (std::size_t at = 0; at < whole;) {
     const std::size_t end = text.find('\n', at);
     try {
-      const Json line = Json::parse(text.substr(at, end - at));
+      const Json line = Json::parse(text.substr(at, end - at), refuse_depth);
       if (at == 0 && line != header)
         throw std::invalid_argument(
             fmt::format("{} was begun with another program or other options ({}): use those, or "

@@ -7,6 +7,7 @@
 
 #include "app/command.h"
 #include "app/inputs.h"
+#include "app/limits.h"
 #include "app/run_options.h"
 #include "c1mesh/shape.h"
 
@@ -16,6 +17,7 @@ namespace {
 struct CheckArguments {
   InputArguments inputs;
   ReadOptions read;
+  double memory_limit = 0;
 };
 
 std::string counted(long number, const char* noun) {
@@ -39,6 +41,7 @@ Status check_drawing(Console& console, const std::string& input, const Drawing& 
 }
 
 Status check_inputs(Console& console, const CheckArguments& arguments) {
+  limit_memory(arguments.memory_limit);
   Status status = Status::ok;
   for (const Input& input : inputs_of(arguments.inputs, arguments.read))
     status = worse(status, guarded(console, input.label, [&] {
@@ -58,6 +61,8 @@ Command add_check(CLI::App& app) {
       app.add_subcommand("check", "Find every defect of inputs; mesh and write nothing");
   add_inputs(*cli, arguments->inputs);
   add_together(*cli, arguments->read);
+  add_read_limits(*cli, arguments->read);
+  add_memory_limit(*cli, arguments->memory_limit, "");
   cli->final_callback([arguments] { require_inputs(arguments->inputs); });
   return {cli, [arguments](Console& console) { return check_inputs(console, *arguments); }};
 }

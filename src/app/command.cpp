@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 #include "app/interrupt.h"
@@ -50,6 +51,9 @@ Status guarded(Console& console, const std::string& input, const std::function<S
   } catch (const std::invalid_argument& e) {
     return fail(Status::usage, e.what());
   } catch (const std::exception& e) {
+    // As TBB says it; the memory for its stack is what a thread lacks first.
+    if (std::string_view(e.what()).find("pthread_create") != std::string_view::npos)
+      return fail(Status::limit, "no memory for another thread; nothing was written for it");
     return fail(
         Status::internal,
         fmt::format("internal error: {}. Please report it with this input, the command line "
@@ -115,8 +119,9 @@ void create_folder_of(const std::string& file) {
 std::string OutputNames::claim(const std::string& wanted) {
   std::string name = safe_name(wanted);
   if (taken_.insert(name).second) return name;
-  for (int number = 2;; ++number) {
-    std::string numbered = fmt::format("{}-{}", name, number);
+  int& number = last_.emplace(name, 1).first->second;
+  while (true) {
+    std::string numbered = fmt::format("{}-{}", name, ++number);
     if (taken_.insert(numbered).second) return numbered;
   }
 }

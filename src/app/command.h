@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -70,6 +71,7 @@ class OutputNames {
 
  private:
   std::set<std::string> taken_;
+  std::map<std::string, int> last_;  // per name: the last number tried
 };
 
 }  // namespace c1mesh::app

@@ -2,11 +2,7 @@
 // c1mesh draw: pictures of results, plots of traces.
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -15,6 +11,7 @@
 
 #include "app/command.h"
 #include "c1mesh/error.h"
+#include "c1mesh/shape.h"
 #include "c1mesh/trace.h"
 #include "c1mesh/write.h"
 
@@ -30,21 +27,13 @@ struct DrawArguments {
   DrawOptions options;
 };
 
-std::string read_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError("cannot open " + path + ": " + std::strerror(errno));
-  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (file.bad()) throw FileError("cannot read " + path);
-  return text;
-}
-
 // The text of a trace; nothing if the file is none. What can be read only once is taken by its
 // name.
 std::optional<std::string> trace_text(const std::string& path) {
   std::error_code ignored;
   const bool named = path.ends_with(".jsonl");
   if (!named && !std::filesystem::is_regular_file(path, ignored)) return {};
-  const std::string text = read_text(path);
+  const std::string text = read_bytes(path, ReadOptions{}.max_bytes);
   return named || is_trace(text) ? std::optional(text) : std::nullopt;
 }
 

@@ -9,6 +9,7 @@
 #include "app/command.h"
 #include "app/inputs.h"
 #include "app/interrupt.h"
+#include "app/limits.h"
 #include "app/road.h"
 #include "app/summary.h"
 
@@ -18,6 +19,7 @@ namespace {
 struct RunArguments {
   InputArguments inputs;
   std::string trace;  // file, empty: none
+  double memory_limit = 0;
   RunOptions options;
 };
 
@@ -98,6 +100,7 @@ Status run_input(Run& run, const Input& input) {
 
 Status run_inputs(Console& console, const RunArguments& arguments) {
   catch_signals();
+  limit_memory(arguments.memory_limit);
   Run run{console, arguments, {}};
   Status status = Status::ok;
   for (const Input& input : inputs_of(arguments.inputs, arguments.options.read)) {
@@ -128,6 +131,7 @@ Command add_run(CLI::App& app) {
   add_run_options(*cli, arguments->options);
   cli->add_option("--certificate", arguments->options.certificate,
                   "Also this file: what was proven and how, for c1mesh verify --certificate");
+  add_memory_limit(*cli, arguments->memory_limit, "");
   cli->add_option("--trace", arguments->trace,
                   "Also this file, one JSON object per iteration; c1mesh draw makes a plot of it")
       ->check([](const std::string& path) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/limits.h"
 #include "app/paper_options.h"
 #include "app/validators.h"
 
@@ -77,6 +78,7 @@ void add_run_options(CLI::App& cli, RunOptions& options) {
       ->capture_default_str()
       ->check(CLI::IsMember({"json", "svg", "html", "vtu", "msh", "mesh", "obj", "cert"}));
   add_together(cli, options.read);
+  add_read_limits(cli, options.read);
   cli.add_flag("--trade-off", options.trade_off,
                "Also NAME.tradeoff.json and .svg: g against the number of exceptional vertices");
   add_method_options(cli, options.options);

@@ -24,7 +24,7 @@ struct RunOptions {
   bool wants(const std::string& format) const;
 };
 
-/// --formats, --together, --trade-off and the options of the method.
+/// --formats, --together, the limits of reading, --trade-off and the options of the method.
 void add_run_options(CLI::App& cli, RunOptions& options);
 
 /// --together alone.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/command.h"
+#include "app/limits.h"
 #include "app/summary.h"
 
 namespace c1mesh::app {
@@ -19,6 +20,7 @@ struct VerifyArguments {
   std::string certificate;  // to be followed; empty: proofs are searched for
   std::string written;      // file for a new certificate, empty: none
   ReadOptions read;
+  double memory_limit = 0;
 };
 
 // The input's drawing that the result was made of: the only one, or the one of the same name.
@@ -51,7 +53,7 @@ void write_certificate(Console& console, const std::string& path, const VerifyRe
 }
 
 Status verify_file(Console& console, const VerifyArguments& arguments, const std::string& path) {
-  const Result result = read_result(path);
+  const Result result = read_result(path, arguments.read.max_bytes);
   const VerifyReport report = examine(arguments, result);
   const bool valid = report.valid();
   console.say(fmt::format(
@@ -63,6 +65,7 @@ Status verify_file(Console& console, const VerifyArguments& arguments, const std
 }
 
 Status verify_files(Console& console, const VerifyArguments& arguments) {
+  limit_memory(arguments.memory_limit);
   Status status = Status::ok;
   for (const std::string& path : arguments.results)
     status = worse(status,
@@ -85,6 +88,8 @@ Command add_verify(CLI::App& app) {
       ->excludes(given);
   cli->add_flag("--together", arguments->read.together, "The input was taken as one arrangement");
   given->excludes("--input");
+  add_read_limits(*cli, arguments->read);
+  add_memory_limit(*cli, arguments->memory_limit, "");
   cli->final_callback([arguments] {
     const bool certificate = !arguments->certificate.empty() || !arguments->written.empty();
     if (certificate && arguments->results.size() > 1)

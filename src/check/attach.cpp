@@ -296,9 +296,10 @@ class Crosser {
     std::vector<std::pair<int, int>> pairs;
     if (!overlapping_pairs(boxes, kMostPairs, pairs)) return;
     std::vector<Meeting> found;
+    long effort = kMostEffort;  // whoever uses it up is refused when all curves are compared
     for (const auto& [i, j] : pairs)
       if (of_features[i]->curve != of_features[j]->curve)
-        find_meetings(*of_features[i], *of_features[j], found);
+        find_meetings(*of_features[i], *of_features[j], found, effort);
     for (const Meeting& m : found) add(m);
   }
 

@@ -13,7 +13,7 @@
 namespace c1mesh::detail {
 namespace {
 
-constexpr std::size_t kMostPairs = 50'000'000, kMostReports = 1000;
+constexpr std::size_t kMostPairs = 20'000'000, kMostReports = 1000;
 // Meetings this near (normalised) are told once.
 constexpr double kSamePlace = 1e-6;
 // Where curves touch they are within the resolution over about its square root, and turn by as
@@ -41,7 +41,11 @@ class Intersections {
       const Piece &a = pieces_.all[i], &b = pieces_.all[j];
       if (meet_at_cusp(a, b)) continue;
       const std::size_t before = found_.size();
-      find_meetings(a, b, found_);
+      find_meetings(a, b, found_, effort_);
+      if (effort_ <= 0) {
+        report_effort(a, b);
+        break;
+      }
       forget_branchings(a, b, before);
       if (found_.size() > 4 * kMostReports) break;
     }
@@ -71,6 +75,14 @@ class Intersections {
                          [&](const Meeting& m) { return (m.where - p).norm() < kSamePlace; }),
           found_.end());
     }
+  }
+
+  void report_effort(const Piece& a, const Piece& b) {
+    std::vector<int> about = {a.curve};
+    if (b.curve != a.curve) about.push_back(b.curve);
+    arrangement_.report(DefectKind::limit, about, {arrangement_.frame.restore(a.start())},
+                        "too many curves run too close side by side to be told apart",
+                        "remove copies of curves, or move them apart");
   }
 
   void report_all() {
@@ -166,6 +178,7 @@ class Intersections {
   const Pieces& pieces_;
   const std::vector<char>& cusp_;
   std::vector<Meeting> found_;
+  long effort_ = kMostEffort;
   std::pair<int, int> last_overlap_ = {-1, -1};
 };
 

@@ -86,13 +86,15 @@ double closest(const Poles2& a, const Poles2& b, double& s, double& t) {
 
 class Search {
  public:
-  explicit Search(std::vector<Meeting>& out) : out_(out), first_(out.size()) {}
+  Search(std::vector<Meeting>& out, long& effort)
+      : out_(out), effort_(effort), first_(out.size()) {}
 
   // Pieces without a common end.
   void apart_pieces(const Piece& a, const Piece& b, int depth = 0) {
     if (full() || apart(a.poles, b.poles)) return;
     const bool flat_a = flat(a.poles), flat_b = flat(b.poles);
     if ((flat_a && flat_b) || depth >= kDeepest || ++steps_ > kMostSteps) return segments(a, b);
+    --effort_;
     const bool cut_a = !flat_a && (flat_b || size(a) >= size(b));
     Piece first, second;
     halve(cut_a ? a : b, first, second);
@@ -119,7 +121,7 @@ class Search {
                     (piece.poles[piece.poles.size() / 2] - piece.start()).cwiseAbs().maxCoeff());
   }
 
-  bool full() const { return out_.size() - first_ >= kMostPerPair; }
+  bool full() const { return effort_ <= 0 || out_.size() - first_ >= kMostPerPair; }
 
   void segments(const Piece& a, const Piece& b) {
     double s, t;
@@ -136,6 +138,7 @@ class Search {
   }
 
   std::vector<Meeting>& out_;
+  long& effort_;
   std::size_t first_;
   int steps_ = 0;
 };
@@ -150,8 +153,8 @@ Piece turned(const Piece& piece) {
 
 }  // namespace
 
-void find_meetings(const Piece& a, const Piece& b, std::vector<Meeting>& out) {
-  Search search(out);
+void find_meetings(const Piece& a, const Piece& b, std::vector<Meeting>& out, long& effort) {
+  Search search(out, effort);
   const bool start_a = a.node0 == b.node0 || a.node0 == b.node1;
   const bool end_a = a.node1 == b.node0 || a.node1 == b.node1;
   if (!start_a && !end_a) return search.apart_pieces(a, b);
@@ -174,7 +177,8 @@ bool near_piece(const Piece& piece, const Point& p) {
   Piece point;
   point.poles = {p, p};
   std::vector<Meeting> found;
-  Search(found).apart_pieces(piece, point);
+  long effort = kMostSteps;
+  Search(found, effort).apart_pieces(piece, point);
   return !found.empty();
 }
 

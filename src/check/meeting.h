@@ -21,7 +21,12 @@ struct Meeting {
 ///
 /// At a common end point P, pieces are followed outward from P until the cones of their derivatives
 /// are disjoint: the points of a piece minus P lie in its cone, so they meet in P alone.
-void find_meetings(const Piece& a, const Piece& b, std::vector<Meeting>& out);
+/// Halvings come off `effort`; nothing is sought once it is used up.
+void find_meetings(const Piece& a, const Piece& b, std::vector<Meeting>& out, long& effort);
+
+/// Halvings that all pairs together may take: curves that run side by side just farther apart than
+/// the resolution take hundreds of thousands each.
+inline constexpr long kMostEffort = 20'000'000;
 
 /// Is `p` closer than the resolution to the piece?
 bool near_piece(const Piece& piece, const Point& p);

@@ -16,6 +16,7 @@
 #include "c1mesh/cost.h"
 #include "mesh/guard.h"
 #include "mesh/net_blossom.h"
+#include "mesh/no_mesh.h"
 #include "mesh/straight_mesh.h"
 #include "mesh/topology.h"
 #include "mesh/warp_layer.h"
@@ -195,7 +196,7 @@ class Assembler {
   CurvedMesh mesh_;
 };
 
-constexpr std::size_t kManySegments = 30000;
+constexpr std::size_t kManySegments = 30000, kMostSegments = 1'000'000;
 // Long narrow shapes would be filled with well-shaped triangles by the thousand. Slender ones along
 // them serve as well there, since the domain is as slender: above both numbers they are taken.
 constexpr std::size_t kManyTriangles = 400, kManyPerCurve = 50;
@@ -207,13 +208,13 @@ struct Straight {
 
 // Nothing if the usual way needs too many triangles; then `report` says so.
 std::optional<Straight> usual_straight(const MeshInput& input, const meshing::Walks& walks,
-                                       double mips_bound, MeshReport& report) {
+                                       const MeshOptions& options, MeshReport& report) {
   const meshing::Thrift thrift = meshing::usual_thrift();
-  auto layer =
-      meshing::build_warp_layer(walks, input.degree, mips_bound, thrift, kManySegments, report);
+  auto layer = meshing::build_warp_layer(walks, input.degree, options.mips_bound, thrift,
+                                         kManySegments, report, options.stop);
   std::string many = fmt::format("over {} warp triangles", kManySegments);
   if (layer) {
-    StraightMesh mesh = meshing::triangulate_layer(*layer, thrift);
+    StraightMesh mesh = meshing::triangulate_layer(*layer, thrift, options.stop);
     std::size_t curves = 0;
     for (const auto& loop : input.loops) curves += loop.size();
     for (const auto& line : input.features) curves += line.curves.size();
@@ -226,11 +227,15 @@ std::optional<Straight> usual_straight(const MeshInput& input, const meshing::Wa
   return std::nullopt;
 }
 
-Straight strict_straight(const MeshInput& input, const meshing::Walks& walks, double mips_bound,
-                         MeshReport& report) {
+Straight strict_straight(const MeshInput& input, const meshing::Walks& walks,
+                         const MeshOptions& options, MeshReport& report) {
   const meshing::Thrift thrift = meshing::strict_thrift();
-  auto layer = meshing::build_warp_layer(walks, input.degree, mips_bound, thrift, SIZE_MAX, report);
-  StraightMesh mesh = meshing::triangulate_layer(*layer, thrift);
+  auto layer = meshing::build_warp_layer(walks, input.degree, options.mips_bound, thrift,
+                                         kMostSegments, report, options.stop);
+  if (!layer)
+    throw NoMesh(
+        fmt::format("the shape is so narrow that it needs more than {} triangles", kMostSegments));
+  StraightMesh mesh = meshing::triangulate_layer(*layer, thrift, options.stop);
   return {std::move(*layer), std::move(mesh)};
 }
 
@@ -248,8 +253,8 @@ CurvedMesh initial_mesh(const MeshInput& input, const MeshOptions& options, Mesh
   std::optional<StageTimer> timer(std::in_place, "mesh: walks");
   const meshing::Walks walks = meshing::walks_of(input);
   timer.reset();
-  auto straight = usual_straight(input, walks, options.mips_bound, report);
-  if (!straight) straight = strict_straight(input, walks, options.mips_bound, report);
+  auto straight = usual_straight(input, walks, options, report);
+  if (!straight) straight = strict_straight(input, walks, options, report);
   timer.emplace("mesh: curved");
   CurvedMesh mesh = Assembler(input, walks, straight->layer, straight->mesh).assemble();
   timer.emplace("mesh: guard");

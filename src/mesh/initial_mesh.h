@@ -2,6 +2,7 @@
 // The initial triangulation: regular, conforming, of proven distortion (paper, section 4.1).
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct MeshInput {
 
 struct MeshOptions {
   double mips_bound = 10;  ///< mu
+  /// Called now and then, if there is one; what it throws ends the work.
+  std::function<void()> stop = {};
 };
 
 struct MeshReport {
@@ -44,6 +47,7 @@ struct MeshReport {
 
 /// Triangulates one region. Every triangle t has g(t) <= report.mips_bound, the domain mesh is the
 /// straight triangulation the warp elements were cut from (valid: positive areas, no overlap).
+/// Throws NoMesh (mesh/no_mesh.h).
 CurvedMesh initial_mesh(const MeshInput& input, const MeshOptions& options, MeshReport& report);
 
 }  // namespace c1mesh

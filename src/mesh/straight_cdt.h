@@ -57,6 +57,6 @@ int warp_of(Face face, const std::vector<const WarpSegment*>& segments);
 /// Adds Steiner points until the angles are those of `thrift`, where the constraints allow it, and
 /// no unconstrained edge joins two boundary vertices. `in_domain` must be set and stays right.
 void refine_delaunay(Triangulation& cdt, const std::vector<const WarpSegment*>& segments,
-                     const Thrift& thrift);
+                     const Thrift& thrift, const Stop& stop);
 
 }  // namespace c1mesh::meshing

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "bernstein/curve.h"
 #include "c1mesh/cost.h"
+#include "mesh/no_mesh.h"
 #include "mesh/straight_cdt.h"
 
 namespace c1mesh::meshing {
@@ -22,8 +22,9 @@ struct Ring {
 
 class Builder {
  public:
-  Builder(const std::vector<std::vector<WarpSegment>>& layer, const Thrift& thrift)
-      : thrift_(thrift) {
+  Builder(const std::vector<std::vector<WarpSegment>>& layer, const Thrift& thrift,
+          const Stop& stop)
+      : thrift_(thrift), stop_(stop) {
     for (const auto& loop : layer) {
       rings_.push_back({static_cast<int>(segments_.size()), static_cast<int>(loop.size())});
       for (const WarpSegment& s : loop) segments_.push_back(&s);
@@ -36,7 +37,7 @@ class Builder {
     insert_constraints();
     mark_domain();
     timer.emplace("mesh: refinement");
-    refine_delaunay(cdt_, segments_, thrift_);
+    refine_delaunay(cdt_, segments_, thrift_, stop_);
     timer.emplace("mesh: numbering");
     number_vertices();
     collect_triangles();
@@ -62,7 +63,7 @@ class Builder {
     for (const WarpSegment* s : segments_)
       apexes_.push_back(s->straight ? Vertex() : insert(s->apex));
     if (cdt_.number_of_vertices() != mesh_.points.size())
-      throw std::runtime_error("two boundary points coincide");
+      throw NoMesh("two boundary points coincide");
     for (const Ring& ring : rings_)
       for (int i = ring.first; i < ring.first + ring.count; ++i) {
         const Vertex a = corners_[segments_[i]->start], b = corners_[segments_[i]->end];
@@ -92,7 +93,7 @@ class Builder {
         const Vertex a = corners_[segments_[i]->start], b = corners_[segments_[i]->end];
         Face face;
         int k;
-        if (!cdt_.is_edge(a, b, face, k)) throw std::runtime_error("a chord is not an edge");
+        if (!cdt_.is_edge(a, b, face, k)) throw NoMesh("a chord is not an edge");
         // The face that has a -> b counter-clockwise lies on the left.
         stack.push_back(face->vertex(Triangulation::ccw(k)) == a ? face : face->neighbor(k));
       }
@@ -100,7 +101,7 @@ class Builder {
       const Face face = stack.back();
       stack.pop_back();
       if (face->info().in_domain) continue;
-      if (cdt_.is_infinite(face)) throw std::runtime_error("the chord polygon is not simple");
+      if (cdt_.is_infinite(face)) throw NoMesh("the chord polygon is not simple");
       face->info().in_domain = true;
       for (int k = 0; k < 3; ++k)
         if (!is_chord(face, k)) stack.push_back(face->neighbor(k));
@@ -147,7 +148,7 @@ class Builder {
       for (int k = 0; k < 3; ++k)
         if (!faces_[t]->neighbor(k)->info().in_domain) {
           const int from = mesh_.triangles[t][(k + 1) % 3];
-          if (next[from] >= 0) throw std::runtime_error("the chord polygon is not simple");
+          if (next[from] >= 0) throw NoMesh("the chord polygon is not simple");
           next[from] = mesh_.triangles[t][(k + 2) % 3];
         }
     mesh_.chords.resize(segments_.size());
@@ -160,7 +161,7 @@ class Builder {
         chord.push_back({first, 0.0});
         for (int v = next[first]; v != last; v = next[v]) {
           if (v < 0 || vertices_[v]->info().lines != std::vector<int>{line_of(i, Side::chord)})
-            throw std::runtime_error("a chord is not covered by edges");
+            throw NoMesh("a chord is not covered by edges");
           chord.push_back({v, vertices_[v]->info().s});
         }
         chord.push_back({last, 1.0});
@@ -185,7 +186,7 @@ class Builder {
                 [](const ChordVertex& a, const ChordVertex& b) { return a.s < b.s; });
       for (std::size_t k = 0; k + 1 < chord.size(); ++k)
         if (!cdt_.is_edge(vertices_[chord[k].vertex], vertices_[chord[k + 1].vertex]))
-          throw std::runtime_error("a feature's chord is not covered by edges");
+          throw NoMesh("a feature's chord is not covered by edges");
       for (auto c = chord.rbegin(); c != chord.rend(); ++c)
         mesh_.chords[s.twin].push_back({c->vertex, 1 - c->s});
     }
@@ -204,6 +205,7 @@ class Builder {
   }
 
   const Thrift& thrift_;
+  const Stop& stop_;
   std::vector<const WarpSegment*> segments_;
   std::vector<Ring> rings_;
   std::vector<Vertex> corners_, apexes_;  // by point; by segment
@@ -222,8 +224,8 @@ Point chord_point(const WarpSegment& segment, double s) {
 }
 
 StraightMesh triangulate_layer(const std::vector<std::vector<WarpSegment>>& layer,
-                               const Thrift& thrift) {
-  return Builder(layer, thrift).build();
+                               const Thrift& thrift, const Stop& stop) {
+  return Builder(layer, thrift, stop).build();
 }
 
 }  // namespace c1mesh::meshing

@@ -29,8 +29,8 @@ struct StraightMesh {
 Point chord_point(const WarpSegment& segment, double s);
 
 /// Triangulates the region bounded by the chords of `layer`. Chord Steiner points have dyadic s.
-/// Throws std::runtime_error if the chords do not bound a region.
+/// Throws NoMesh if the chords do not bound a region. `stop` is called now and then.
 StraightMesh triangulate_layer(const std::vector<std::vector<WarpSegment>>& layer,
-                               const Thrift& thrift);
+                               const Thrift& thrift, const Stop& stop = {});
 
 }  // namespace c1mesh::meshing

@@ -46,16 +46,19 @@ struct Candidate {
 
 class Refiner {
  public:
-  Refiner(Triangulation& cdt, const std::vector<const WarpSegment*>& segments, const Thrift& thrift)
-      : cdt_(cdt), segments_(segments), thrift_(thrift) {}
+  Refiner(Triangulation& cdt, const std::vector<const WarpSegment*>& segments, const Thrift& thrift,
+          const Stop& stop)
+      : cdt_(cdt), segments_(segments), thrift_(thrift), stop_(stop) {}
 
   void refine() {
     measure();
     for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end(); ++f) consider(f);
     // The cap is for angles where rounding keeps the refinement from ending.
     long budget = 1000 + 50 * static_cast<long>(cdt_.number_of_vertices());
+    constexpr long kGlance = 256;
     while (budget > 0) {
       for (; !queue_.empty() && budget > 0; --budget) {
+        if (stop_ && budget % kGlance == 0) stop_();
         const Candidate worst = queue_.top();
         queue_.pop();
         Face face;
@@ -347,6 +350,7 @@ class Refiner {
   Triangulation& cdt_;
   const std::vector<const WarpSegment*>& segments_;
   const Thrift& thrift_;
+  const Stop& stop_;
   std::priority_queue<Candidate> queue_;
   long order_ = 0;
   std::vector<std::array<Vertex, 2>> ends_;  // per line
@@ -372,8 +376,8 @@ int warp_of(Face face, const std::vector<const WarpSegment*>& segments) {
 }
 
 void refine_delaunay(Triangulation& cdt, const std::vector<const WarpSegment*>& segments,
-                     const Thrift& thrift) {
-  Refiner(cdt, segments, thrift).refine();
+                     const Thrift& thrift, const Stop& stop) {
+  Refiner(cdt, segments, thrift, stop).refine();
 }
 
 }  // namespace c1mesh::meshing

@@ -8,12 +8,12 @@
 #include <map>
 #include <numbers>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "bernstein/curve.h"
 #include "c1mesh/cost.h"
 #include "mesh/box_pairs.h"
+#include "mesh/no_mesh.h"
 
 namespace c1mesh::meshing {
 namespace {
@@ -39,8 +39,14 @@ struct Node {
 
 class Layer {
  public:
-  Layer(const Walks& walks, int degree, double mips_bound, const Thrift& thrift, MeshReport& report)
-      : walks_(walks), degree_(degree), bound_(mips_bound), thrift_(thrift), report_(report) {
+  Layer(const Walks& walks, int degree, double mips_bound, const Thrift& thrift, MeshReport& report,
+        const Stop& stop)
+      : walks_(walks),
+        degree_(degree),
+        bound_(mips_bound),
+        thrift_(thrift),
+        report_(report),
+        stop_(stop) {
     for (const auto& walk : walks_)
       for (const WalkStep& step : walk) {
         points_ = std::max({points_, step.start + 1, step.end + 1});
@@ -52,8 +58,10 @@ class Layer {
   bool build(std::size_t limit) {
     for (std::size_t k = 0; k < walks_.size(); ++k) add_loop(static_cast<int>(k));
     if (features_) start_with_features();
-    while (nodes_.size() <= limit)
+    while (nodes_.size() <= limit) {
+      if (stop_) stop_();
       if (!resolve_conflicts()) return true;
+    }
     return false;
   }
 
@@ -179,7 +187,7 @@ class Layer {
         if (!nodes_[i].segment.straight &&
             (longest < 0 || polygon_length(i) > polygon_length(longest)))
           longest = i;
-      if (longest < 0) throw std::runtime_error("two straight curves have the same ends");
+      if (longest < 0) throw NoMesh("two straight curves have the same ends");
       const int twin = nodes_[longest].twin, count = static_cast<int>(nodes_.size());
       std::erase(between[ends], longest);
       split(longest);
@@ -213,7 +221,7 @@ class Layer {
         if (!nodes_[i].segment.straight &&
             (longest < 0 || polygon_length(i) > polygon_length(longest)))
           longest = i;
-      if (longest < 0) throw std::runtime_error("a loop of fewer than three straight curves");
+      if (longest < 0) throw NoMesh("a loop of fewer than three straight curves");
       split(longest);
     }
   }
@@ -251,10 +259,9 @@ class Layer {
     Node second = nodes_[i];
     Node& left = nodes_[i];
     if (left.segment.depth >= kMaxDepth)
-      throw std::runtime_error(fmt::format(
-          "curve {}: the boundary comes too close to itself near ({:.6g}, {:.6g}) (normalised)",
-          walks_[left.segment.loop][left.segment.source].curve.curve,
-          left.segment.curve.start().x(), left.segment.curve.start().y()));
+      throw NoMesh("the boundary comes too close to itself",
+                   walks_[left.segment.loop][left.segment.source].curve.curve,
+                   left.segment.curve.start());
     const double middle = 0.5 * (left.segment.s0 + left.segment.s1);
     left.segment.s1 = second.segment.s0 = middle;
     left.segment.end = second.segment.start = middle_point;
@@ -410,6 +417,7 @@ class Layer {
   double bound_;
   const Thrift& thrift_;
   MeshReport& report_;
+  const Stop& stop_;
   std::vector<Node> nodes_;
   std::vector<int> first_;  // per walk: the node that starts its first curve
   int points_ = 0;          // how many there are
@@ -429,13 +437,11 @@ Thrift strict_thrift() {
   return {kDegree, 0, 0.3, 0, 0};
 }
 
-std::optional<std::vector<std::vector<WarpSegment>>> build_warp_layer(const Walks& walks,
-                                                                      int degree, double mips_bound,
-                                                                      const Thrift& thrift,
-                                                                      std::size_t limit,
-                                                                      MeshReport& report) {
+std::optional<std::vector<std::vector<WarpSegment>>> build_warp_layer(
+    const Walks& walks, int degree, double mips_bound, const Thrift& thrift, std::size_t limit,
+    MeshReport& report, const Stop& stop) {
   const StageTimer timer("mesh: warp triangles");
-  Layer layer(walks, degree, mips_bound, thrift, report);
+  Layer layer(walks, degree, mips_bound, thrift, report, stop);
   if (!layer.build(limit)) return std::nullopt;
   return layer.collect();
 }

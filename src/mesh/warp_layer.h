@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,9 @@
 #include "mesh/warp_segment.h"
 
 namespace c1mesh::meshing {
+
+/// Called between pieces of work, if there is one; what it throws ends them.
+using Stop = std::function<void()>;
 
 /// What the mesher prefers where the shape is narrow: many triangles or flat ones. Angles in
 /// radians.
@@ -29,12 +33,10 @@ Thrift strict_thrift();
 
 /// Per walk, in its order, segments that are pairwise disjoint (hulls) but for the points that they
 /// share; no two but twins share both ends. Fills splits, warp_triangles and notes of `report`.
-/// Gives up and returns nothing if there are more than `limit` segments. Throws std::runtime_error
-/// if curves cannot be told apart in double precision.
-std::optional<std::vector<std::vector<WarpSegment>>> build_warp_layer(const Walks& walks,
-                                                                      int degree, double mips_bound,
-                                                                      const Thrift& thrift,
-                                                                      std::size_t limit,
-                                                                      MeshReport& report);
+/// Gives up and returns nothing if there are more than `limit` segments. Throws NoMesh if curves
+/// cannot be told apart in double precision. `stop` is called now and then.
+std::optional<std::vector<std::vector<WarpSegment>>> build_warp_layer(
+    const Walks& walks, int degree, double mips_bound, const Thrift& thrift, std::size_t limit,
+    MeshReport& report, const Stop& stop = {});
 
 }  // namespace c1mesh::meshing

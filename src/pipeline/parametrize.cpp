@@ -12,13 +12,17 @@
 #include "c1mesh/project.h"
 #include "pipeline/assemble.h"
 #include "pipeline/ladder.h"
+#include "pipeline/mesh_region.h"
 #include "pipeline/paper_solution.h"
-#include "pipeline/region_input.h"
 #include "pipeline/region_trace.h"
 #include "pipeline/validate.h"
 
 namespace c1mesh {
 namespace {
+
+// Without an initial mesh there is no result at all: for that much longer than the time limit the
+// work on it goes on.
+constexpr double kMeshSeconds = 1;
 
 class Clock {
  public:
@@ -75,8 +79,13 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
     tell("initial mesh", 0);
     Clock stage;
     MeshReport report;
-    const CurvedMesh mesh = initial_mesh(region_input(shape, static_cast<int>(r), degree),
-                                         {options.mips_bound}, report);
+    const auto stop_mesh = [&] {
+      tell("initial mesh", 0);
+      if (options.time_limit > 0 && clock.seconds() > options.time_limit + kMeshSeconds)
+        throw Interrupted("the time limit came before the initial mesh was complete");
+    };
+    const CurvedMesh mesh =
+        mesh_region(shape, static_cast<int>(r), degree, {options.mips_bound, stop_mesh}, report);
     mesh_seconds += stage.seconds();
     outcome.remedies.insert(outcome.remedies.end(), report.notes.begin(), report.notes.end());
 

@@ -12,7 +12,7 @@
 #include "mesh/topology.h"
 #include "pipeline/assemble.h"
 #include "pipeline/ladder.h"
-#include "pipeline/region_input.h"
+#include "pipeline/mesh_region.h"
 #include "pipeline/validate.h"
 
 namespace c1mesh {
@@ -72,8 +72,9 @@ class Search {
       tell("initial mesh");
       MeshReport report;
       RegionState state;
-      state.mesh = initial_mesh(region_input(shape_, static_cast<int>(r), degree_),
-                                {options_.mips_bound}, report);
+      const auto stop = [&] { tell("initial mesh"); };
+      state.mesh =
+          mesh_region(shape_, static_cast<int>(r), degree_, {options_.mips_bound, stop}, report);
       state.places = fewest_places(state.mesh, options_);
       regions_.push_back(std::move(state));
     }

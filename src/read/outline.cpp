@@ -73,8 +73,10 @@ void Pen::arc_to(Point radii, double rotation_degrees, bool large, bool sweep, c
   if (radii.minCoeff() == 0) return line_to(end);
   const EllipticArc arc = centre_form(at_, radii, rotation_degrees, large, sweep, end);
   // At most 90 degrees each; the slack keeps a quarter turn that rounding made longer in one piece.
-  const int pieces =
-      std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / (kPi / 2) - 1e-9)));
+  const double quarters = std::ceil(std::abs(arc.sweep) / (kPi / 2) - 1e-9);
+  // Radii too unlike for doubles make the sweep NaN; the control points are then not finite, which
+  // the check tells.
+  const int pieces = quarters >= 1 ? static_cast<int>(quarters) : 1;
   const double step = arc.sweep / pieces, handle = 4.0 / 3 * std::tan(step / 4);
   for (int i = 0; i < pieces; ++i) {
     const double a = arc.first + i * step, b = arc.first + (i + 1) * step;

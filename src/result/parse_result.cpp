@@ -6,12 +6,13 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/float_traps.h"
+#include "base/hostile_text.h"
 #include "c1mesh/error.h"
 #include "c1mesh/result.h"
 
@@ -22,11 +23,13 @@ using Json = nlohmann::ordered_json;  // parameters and seconds keep their order
 
 constexpr int kHighestDegree = 15;  // the multinomials of det J are then exact doubles
 
-[[noreturn]] void fail(const std::string& message, DefectKind kind = DefectKind::malformed) {
+[[noreturn]] void fail(const std::string& message, DefectKind kind = DefectKind::malformed,
+                       const char* remedy = "write the result again with c1mesh run") {
+  constexpr std::size_t kMostBytes = 600;  // messages quote keys, which may be anything
   Defect defect;
   defect.kind = kind;
-  defect.message = message;
-  defect.remedy = "write the result again with c1mesh run";
+  defect.message = clipped(message, kMostBytes);
+  defect.remedy = remedy;
   throw InputError({defect});
 }
 
@@ -234,11 +237,14 @@ Metrics metrics(const Json& root) {
 }
 
 Json parse_json(const std::string& text) {
+  constexpr int kDeepest = 32;  // curves: [{"poles": [[x, y]
+  if (json_deeper_than(text, kDeepest))
+    fail(fmt::format("the file is nested deeper than {} levels", kDeepest), DefectKind::limit);
   try {
     const FloatTrapsOff overflow;  // of 1e999, refused as out of range
     return Json::parse(text);
   } catch (const Json::exception& error) {
-    fail(std::string("this is not JSON: ") + error.what());
+    fail("this is not JSON: " + json_error_text(error.what()));
   }
 }
 
@@ -281,10 +287,21 @@ Result parse_result(const std::string& text, const std::string& name) {
   return result;
 }
 
-Result read_result(const std::string& path) {
+Result read_result(const std::string& path, std::size_t max_bytes) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw FileError(path + " is a directory");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError("cannot open " + path + ": " + std::strerror(errno));
-  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  // In blocks: what has no end stops at the limit.
+  std::string text;
+  std::vector<char> block(1 << 16);
+  while (file) {
+    file.read(block.data(), static_cast<std::streamsize>(block.size()));
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > max_bytes)
+      fail(fmt::format("the file is larger than {} bytes", max_bytes), DefectKind::limit,
+           "raise the limit (--max-bytes), if it is a result");
+  }
   if (file.bad()) throw FileError("cannot read " + path);
   return parse_result(text, name_from(path));
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/float_traps.h"
+#include "base/hostile_text.h"
 #include "c1mesh/error.h"
 #include "c1mesh/trace.h"
 
@@ -33,11 +34,14 @@ Json json_of(const TraceLine& line) {
 class Line {
  public:
   Line(const std::string& text, std::size_t number) : number_(number) {
+    constexpr int kDeepest = 32;  // one is all there is
+    if (json_deeper_than(text, kDeepest))
+      fail(fmt::format("is nested deeper than {} levels", kDeepest));
     try {
       const FloatTrapsOff overflow;  // of 1e999, refused as out of range
       object_ = Json::parse(text);
     } catch (const Json::exception& error) {
-      fail(std::string("is not JSON: ") + error.what());
+      fail("is not JSON: " + json_error_text(error.what()));
     }
     if (!object_.is_object()) fail("is not a JSON object");
   }

@@ -225,5 +225,16 @@ TEST(Crossings, ThousandsOfCrossingsEndEarly) {
   EXPECT_LE(found.size(), 1001u);
 }
 
+// Each pair of neighbours takes hundreds of thousands of halvings to be told apart; together they
+// are refused before that takes minutes.
+TEST(Crossings, ManyCurvesSideBySideEndEarly) {
+  std::vector<std::vector<Point>> curves;
+  for (int i = 0; i < 200; ++i) {
+    const double y = 1e-11 * i;
+    curves.push_back({{0, y}, {0.3, 1 + y}, {0.7, -1 + y}, {1, y}});
+  }
+  EXPECT_GE(fault_kinds(drawing_of(curves)).count(DefectKind::limit), 1u);
+}
+
 }  // namespace
 }  // namespace c1mesh

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "check/drawings.h"
+#include "check/winding.h"
 
 namespace c1mesh {
 namespace {
@@ -116,6 +117,25 @@ TEST(Nesting, ManyHolesFeaturesAndIslandsGoToTheirRegions) {
     const Point corner = shape.curves[region.outer[0].curve].start();
     const Point start = shape.curves[region.features[0].curves[0].curve].start();
     EXPECT_LT((start - corner).norm(), frame ? 12 : 3);
+  }
+}
+
+// A piece that contains the point is halved around it: at the end of a double's digits no longer,
+// or each of these would take a hundred million halvings.
+TEST(Winding, APointOnALineTakesNoTime) {
+  detail::Pieces pieces;
+  detail::Piece line;
+  line.curve = 0;
+  pieces.first = {0, 1};
+  for (const double slope : {0.0, 1.0, -3.0, 1e-9}) {
+    line.poles = {{0, 0.25}, {1, 0.25 + slope}};
+    pieces.all = {line};
+    for (int k = 0; k <= 50; ++k) {
+      const double x = k / 50.0;
+      const int crossings = detail::winding_number(Loop{{0, false}}, pieces, {x, 0.25 + slope * x});
+      EXPECT_LE(std::abs(crossings), 1);
+      if (slope == 0) EXPECT_EQ(crossings, 0);
+    }
   }
 }
 

@@ -31,6 +31,7 @@ bool accepted(const std::function<void()>& work) {
         finding("a defect without a remedy: " + defect.message);
     }
   } catch (const FileError&) {
+  } catch (const Interrupted&) {  // a time limit
   }
   return false;
 }

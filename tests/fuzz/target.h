@@ -26,8 +26,9 @@ inline void require(bool holds, const char* what) {
   if (!holds) finding(what);
 }
 
-/// Runs `work`; the typed errors by which an input is refused are fine if they say what is wrong
-/// and what would mend it, anything else is left to fly and ends the process. False: refused.
+/// Runs `work`; the typed errors by which an input is refused, or a time limit ends, are fine if
+/// they say what is wrong and what would mend it, anything else is left to fly and ends the
+/// process. False: refused.
 bool accepted(const std::function<void()>& work);
 
 /// Bytes as a file with a path, for readers that take a path. Nothing is written to a disk.

@@ -16,7 +16,7 @@ Options small_budget() {
   Options options;
   options.threads = 1;
   options.refine = 1;
-  options.time_limit = 3;
+  options.time_limit = 1;
   return options;
 }
 
