@@ -22,23 +22,24 @@ class LoopOrder {
   /// Around some items, in the thread that does them.
   class Items {
    public:
-    explicit Items(LoopOrder& order) : order_(order) { __tsan_acquire(&order.begun_); }
+    explicit Items(const LoopOrder& order) : order_(order) { __tsan_acquire(&order.begun_); }
     ~Items() { __tsan_release(&order_.ended_); }
     Items(const Items&) = delete;
     Items& operator=(const Items&) = delete;
 
    private:
-    LoopOrder& order_;
+    const LoopOrder& order_;
   };
 
  private:
-  char begun_ = 0, ended_ = 0;  // two: with one, an item would come after those that ended before
+  // Two: with one, an item would come after those that ended before.
+  mutable char begun_ = 0, ended_ = 0;
 };
 #else
 class LoopOrder {
  public:
   struct Items {
-    explicit Items(LoopOrder&) {}
+    explicit Items(const LoopOrder&) {}
     ~Items() {}
   };
 };

@@ -22,17 +22,19 @@ void parallel_ranges(std::size_t count, std::size_t grain,
 /// what an item throws, and std::bad_alloc if there is no memory for threads.
 template <class Body>
 void parallel_for(std::size_t count, const Body& body, std::size_t grain = 16) {
-  LoopOrder order;
-  const auto range = [&](std::size_t begin, std::size_t end) {
-    const LoopOrder::Items items(order);
-    for (std::size_t i = begin; i != end; ++i) body(i);
+  struct Loop {
+    const Body& body;
+    LoopOrder order;  // last: it begins when all else is written
   };
+  const Loop loop{body, {}};
   detail::parallel_ranges(
       count, grain,
       [](const void* data, std::size_t begin, std::size_t end) {
-        (*static_cast<decltype(&range)>(data))(begin, end);
+        const Loop& here = *static_cast<const Loop*>(data);
+        const LoopOrder::Items items(here.order);  // before anything of the caller is read
+        for (std::size_t i = begin; i != end; ++i) here.body(i);
       },
-      &range);
+      &loop);
 }
 
 }  // namespace c1mesh

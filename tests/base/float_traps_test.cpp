@@ -82,6 +82,18 @@ TEST(ParallelLoops, RoundToNearestInEveryTaskWhateverTheCallerDoes) {
   EXPECT_EQ(after, std::vector<int>(after.size(), FE_UPWARD)) << "the caller's own mode is lost";
 }
 
+// Short loops one after the other, whose items are at the same places: under the thread sanitizer
+// it is seen whether each loop comes after what was before it.
+TEST(ParallelLoops, ComeOneAfterTheOther) {
+  double sum = 0;
+  for (int round = 0; round < 500; ++round) {
+    std::vector<double> values(200, 1);
+    parallel_for(values.size(), [&](std::size_t k) { values[k] += static_cast<double>(k); });
+    for (const double value : values) sum += value;
+  }
+  EXPECT_EQ(sum, 500 * (200 + 199 * 200 / 2));
+}
+
 }  // namespace
 }  // namespace c1mesh
 #endif

@@ -106,6 +106,7 @@ void stretch(Source& source, Drawing& drawing) {
   constexpr double kOffsets[] = {0, 0, 0, 0, 0, 1e3, 1e9, -1e12};
   const double scale = kScales[source.byte() % 12], aspect = kAspects[source.byte() % 8];
   const double offset = kOffsets[source.byte() % 8];
+  const FloatTrapsOff overflow;  // beyond what a drawing may measure, and it must be refused
   for (InputCurve& curve : drawing.curves)
     for (Point& p : curve.curve.poles)
       p = scale * (Point(aspect * p.x(), p.y()) + Point(offset, 0));
