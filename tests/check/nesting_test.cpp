@@ -134,7 +134,9 @@ TEST(Winding, APointOnALineTakesNoTime) {
       const double x = k / 50.0;
       const int crossings = detail::winding_number(Loop{{0, false}}, pieces, {x, 0.25 + slope * x});
       EXPECT_LE(std::abs(crossings), 1);
-      if (slope == 0) EXPECT_EQ(crossings, 0);
+      if (slope == 0) {
+        EXPECT_EQ(crossings, 0);
+      }
     }
   }
 }

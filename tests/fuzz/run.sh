@@ -12,7 +12,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 executions=${1:-1000000}
 shift || true
 targets=("$@")
-((${#targets[@]})) || targets=(path_data shape_json svg font_text font_bytes result result_use trace
+((${#targets[@]})) || targets=(path_data shape_json svg font_text font_bytes result result_use certificate trace
   batch_list road)
 out=${OUT:-build/fuzz/out}
 

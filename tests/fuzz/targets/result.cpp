@@ -18,4 +18,10 @@ C1MESH_FUZZ_TARGET(result) {
   fuzz::require(!report.valid() || (report.regular() && report.conforming() && report.c1()),
                 "valid without its parts");
   report_text(report);
+  if (!report.valid()) return;
+  const Certificate kept = parse_certificate(format_certificate(report.certificate));
+  const VerifyReport again = recheck(result, kept, claimed_bounds(result));
+  fuzz::require(
+      again.items.back().name == "certificate" && again.items.back().verdict == Verdict::valid,
+      "a certificate does not hold of its own result");
 }
