@@ -75,7 +75,7 @@ function fillMetrics(model: Model, mesh: Mesh): void {
   );
   byId("spread-rows").replaceChildren(
     row("d_ei", spreadCells(m.d_ei)),
-    row("Gradient angle, \u00b0", spreadCells(m.gradient_angle_deg), "between the two triangles' gradients along an edge"),
+    row("Gradient angle,\u00a0\u00b0", spreadCells(m.gradient_angle_deg), "between the two triangles' gradients along an edge"),
     row("Gradient length", spreadCells(m.gradient_magnitude), "relative difference of the lengths of the two triangles' gradients"),
   );
 }
