@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/float_traps.h"
+
 namespace c1mesh::detail {
 namespace {
 
@@ -71,6 +73,7 @@ void Pen::arc_to(Point radii, double rotation_degrees, bool large, bool sweep, c
   if (end == at_) return;
   radii = radii.cwiseAbs();
   if (radii.minCoeff() == 0) return line_to(end);
+  const FloatTrapsOff unlike;  // radii, or coordinates near overflow
   const EllipticArc arc = centre_form(at_, radii, rotation_degrees, large, sweep, end);
   // At most 90 degrees each; the slack keeps a quarter turn that rounding made longer in one piece.
   const double quarters = std::ceil(std::abs(arc.sweep) / (kPi / 2) - 1e-9);

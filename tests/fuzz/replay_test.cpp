@@ -105,9 +105,9 @@ INSTANTIATE_TEST_SUITE_P(Targets, Fuzz, testing::ValuesIn(names()),
                          [](const auto& info) { return info.param; });
 
 TEST(FuzzTargets, AreAllThere) {
-  EXPECT_EQ(names(), (std::vector<std::string>{"batch_list", "font_bytes", "font_text", "path_data",
-                                               "result", "result_use", "road", "shape_json", "svg",
-                                               "trace"}));
+  EXPECT_EQ(names(), (std::vector<std::string>{"batch_list", "certificate", "font_bytes",
+                                               "font_text", "path_data", "result", "result_use",
+                                               "road", "shape_json", "svg", "trace"}));
 }
 
 // The replay would not notice a target that finds nothing.

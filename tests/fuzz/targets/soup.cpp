@@ -115,7 +115,6 @@ void stretch(Source& source, Drawing& drawing) {
 }  // namespace
 
 Drawing soup(const std::string& bytes) {
-  const FloatTrapsOff overflow;  // coordinates beyond all numbers are among what is asked for
   Source source(bytes);
   Drawing drawing;
   drawing.name = "soup";
