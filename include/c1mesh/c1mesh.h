@@ -3,6 +3,7 @@
 #pragma once
 
 #include "c1mesh/certificate.h"
+#include "c1mesh/contact_sheet.h"
 #include "c1mesh/cost.h"
 #include "c1mesh/error.h"
 #include "c1mesh/evaluate.h"
@@ -10,6 +11,7 @@
 #include "c1mesh/generate.h"
 #include "c1mesh/options.h"
 #include "c1mesh/parametrize.h"
+#include "c1mesh/png.h"
 #include "c1mesh/progress.h"
 #include "c1mesh/project.h"
 #include "c1mesh/result.h"

@@ -14,7 +14,9 @@ namespace c1mesh {
 enum class Colour {
   none,
   distortion,    ///< MIPS of the map at each point: |J|_F^2 / det J, 2 where it is a similarity
-  c1_deviation,  ///< per triangle, the largest d_ei of its three edges relative to the extent
+  c1_deviation,  ///< per triangle, the largest d_ei relative to the extent, over those of its edges
+                 ///< across which C1 is asked; over all where it is asked of none
+  checkerboard,  ///< the squares between the grid's lines, in two colours, instead of the lines
 };
 
 /// What a panel of a picture shows of a result.
@@ -39,13 +41,17 @@ struct DrawOptions {
   int columns = 1;                                        ///< results side by side
   std::optional<Zoom> zoom;  ///< every panel is followed by its blow-up
   int grid_lines = 24;       ///< iso-lines along the longer side of the domain; 0: none
+                             ///< (std::invalid_argument for a checkerboard)
   bool show_mesh = true;
   bool show_control_net = false;
+  bool show_key = true;      ///< below the picture, what its lines and dots mean
+  bool transparent = false;  ///< no white ground
   Colour colour = Colour::none;
 };
 
 /// An SVG picture: left the shape with the images of the domain's grid lines, right the domain with
-/// the grid itself; mesh, boundary, exceptional vertices (green dots) on both.
+/// the grid itself; mesh, boundary, exceptional vertices (green dots) on both. Lines, dots and text
+/// are as thick and as large as a picture of `width` pixels asks for.
 /// A result that claims C1 nowhere (all its vertices are exceptional) has no marks.
 std::string draw_svg(const Result& result, const DrawOptions& options = {});
 
@@ -109,9 +115,8 @@ struct ConvertOptions {
 std::vector<std::string> convertible_extensions();
 
 /// The result as text for a file of this name, by its extension: `.vtu`, `.msh`, `.mesh` (MFEM;
-/// `.domain.vtu` and so on: the domain mesh), `.obj`, `.svg`, `.html`, `.json`. Throws
-/// InputError
-/// (unsupported) for any other.
+/// `.domain.vtu` and so on: the domain mesh), `.obj`, `.svg`, `.png`, `.html`, `.json`. Throws
+/// InputError (unsupported) for any other.
 std::string convert(const Result& result, const std::string& path,
                     const ConvertOptions& options = {});
 

@@ -42,7 +42,7 @@ Command add_convert(CLI::App& app) {
   cli->add_option("RESULT", arguments->result, "NAME.c1.json")->required();
   cli->add_option("-o,--output", arguments->output,
                   "NAME.vtu (VTK), NAME.msh (Gmsh), NAME.mesh (MFEM), NAME.obj, NAME.svg, "
-                  "NAME.html (a page to explore it) or NAME.json; NAME.domain.vtu, .domain.msh, "
+                  "NAME.png, NAME.html (a page to explore it) or NAME.json; NAME.domain.vtu, .domain.msh, "
                   ".domain.mesh: the domain mesh")
       ->required()
       ->check(check_extension);

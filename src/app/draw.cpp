@@ -2,6 +2,7 @@
 // c1mesh draw: pictures of results, plots of traces.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -10,7 +11,9 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/contact_sheet.h"
 #include "c1mesh/error.h"
+#include "c1mesh/png.h"
 #include "c1mesh/shape.h"
 #include "c1mesh/trace.h"
 #include "c1mesh/write.h"
@@ -21,7 +24,9 @@ namespace {
 struct DrawArguments {
   std::vector<std::string> inputs, titles;
   std::string output, over, zoom;
-  bool no_mesh = false;
+  bool no_mesh = false, no_key = false;
+  bool sheet = false;  // a contact sheet
+  SheetArguments sheets;
   std::string shape;  // of a trace; empty: the first
   int region = -1;    // of that shape; -1: the first
   DrawOptions options;
@@ -35,6 +40,12 @@ std::optional<std::string> trace_text(const std::string& path) {
   if (!named && !std::filesystem::is_regular_file(path, ignored)) return {};
   const std::string text = read_bytes(path, ReadOptions{}.max_bytes);
   return named || is_trace(text) ? std::optional(text) : std::nullopt;
+}
+
+// As pixels where the name says so.
+void deliver_picture(const DrawArguments& arguments, const std::string& svg) {
+  deliver(arguments.output,
+          is_png(arguments.output) ? png_of(svg, {arguments.options.transparent}) : svg);
 }
 
 [[noreturn]] void fail(const std::string& message, const std::string& remedy) {
@@ -85,13 +96,22 @@ Status draw_results(Console& console, const DrawArguments& arguments) {
                      arguments.over.empty() ? nullptr : &results.back()});
   DrawOptions chosen = arguments.options;
   chosen.show_mesh = !arguments.no_mesh;
+  chosen.show_key = !arguments.no_key;
   return guarded(console, arguments.inputs.front(), [&] {
-    deliver(arguments.output, draw_svg(drawn, chosen));
+    deliver_picture(arguments, draw_svg(drawn, chosen));
     return Status::ok;
   });
 }
 
 Status draw(Console& console, const DrawArguments& arguments) {
+  if (arguments.sheet) {
+    SheetArguments sheets = arguments.sheets;
+    sheets.inputs = arguments.inputs;
+    sheets.output = arguments.output;
+    sheets.options = arguments.options;
+    sheets.options.show_key = !arguments.no_key;
+    return draw_sheets(console, sheets);
+  }
   const std::string& first = arguments.inputs.front();
   std::optional<std::string> trace;
   const Status status = guarded(console, first, [&] {
@@ -99,7 +119,7 @@ Status draw(Console& console, const DrawArguments& arguments) {
       throw std::invalid_argument("there are more --titles than results");
     if (arguments.inputs.size() == 1) trace = trace_text(first);
     if (trace)
-      deliver(arguments.output, plot(arguments, *trace));
+      deliver_picture(arguments, plot(arguments, *trace));
     else if (!arguments.shape.empty() || arguments.region >= 0)
       throw std::invalid_argument("--shape and --region are for traces; this is none");
     return Status::ok;
@@ -125,12 +145,44 @@ CLI::Validator zoom_of(DrawOptions& options) {
           "VERTEX,SIZE", "zoom"};
 }
 
+// What does not go together, before anything is read.
+void check_options(const CLI::App& cli, DrawArguments& arguments) {
+  if (is_png(arguments.output) && arguments.options.width > kLongestPngSide)
+    throw CLI::ValidationError(
+        "--width", fmt::format("a PNG picture may be {:.0f} pixels wide; write SVG, which has no "
+                               "pixels, or choose less",
+                               kLongestPngSide));
+  const auto given = [&](const char* option) { return cli.count(option) > 0; };
+  if (!arguments.sheet) {
+    for (const char* option : {"--per-page", "--no-verify"})
+      if (given(option)) throw CLI::ValidationError(option, "is for --contact-sheet only");
+    return;
+  }
+  for (const char* option : {"--titles", "--over", "--zoom", "--shape", "--region", "--no-mesh"})
+    if (given(option)) throw CLI::ValidationError(option, "is not for --contact-sheet");
+  // Cells are small: by default the shape alone, with few lines.
+  DrawOptions& options = arguments.options;
+  if (!given("--columns")) options.columns = 0;
+  if (!given("--parts")) options.parts = {Part::shape};
+  if (!given("--grid")) options.grid_lines = 12;
+  options.show_mesh = std::count(options.parts.begin(), options.parts.end(), Part::mesh) > 0;
+}
+
+constexpr const char* kDrawFooter = R"(
+Examples:
+  c1mesh draw a.c1.json -o a.png --width 3000
+  c1mesh draw a.c1.json -o a.png --colour distortion --grid 0
+  c1mesh draw a.c1.json -o a.svg --parts mesh,shape,domain --control-net
+  c1mesh draw a.c1.json b.c1.json --columns 2 --colour checkerboard -o both.png
+  c1mesh draw out/*.c1.json --contact-sheet -o sheet.png)";
+
 }  // namespace
 
 Command add_draw(CLI::App& app) {
   static const std::map<std::string, Colour> kColours = {{"none", Colour::none},
                                                          {"distortion", Colour::distortion},
-                                                         {"c1-deviation", Colour::c1_deviation}};
+                                                         {"c1-deviation", Colour::c1_deviation},
+                                                         {"checkerboard", Colour::checkerboard}};
   static const std::map<std::string, Part> kParts = {{"outline", Part::outline},
                                                      {"mesh", Part::mesh},
                                                      {"shape", Part::shape},
@@ -142,7 +194,9 @@ Command add_draw(CLI::App& app) {
   cli->add_option("RESULT", arguments->inputs,
                   "NAME.c1.json, several for one picture; or what run --trace wrote")
       ->required();
-  cli->add_option("-o,--output", arguments->output, "SVG file, - for standard output")->required();
+  cli->add_option("-o,--output", arguments->output,
+                  "NAME.svg or NAME.png; -: SVG to standard output")
+      ->required();
   cli->add_option("--width", options.width, "Width of the picture in pixels")
       ->capture_default_str()
       ->check(CLI::Range(64, 100000));
@@ -167,13 +221,27 @@ Command add_draw(CLI::App& app) {
   cli->add_option("--grid", options.grid_lines, "Iso-curves along the longer side, 0 for none")
       ->capture_default_str()
       ->check(CLI::Range(0, 1000));
-  cli->add_option("--colour", options.colour, "Fill triangles by none, distortion or c1-deviation")
+  cli->add_option("--colour", options.colour,
+                  "Fill by none, distortion, c1-deviation (both with a legend) or checkerboard")
       ->transform(CLI::CheckedTransformer(kColours).description(""));
   cli->add_flag("--no-mesh", arguments->no_mesh, "Leave the triangles' edges out");
   cli->add_flag("--control-net", options.show_control_net, "Show the control points");
+  cli->add_flag("--no-key", arguments->no_key, "Leave out what explains lines and dots");
+  cli->add_flag("--transparent", options.transparent, "No white ground");
+  cli->add_flag("--contact-sheet", arguments->sheet,
+                "A grid of small pictures with names and figures, for many results; what cannot be "
+                "read has a cell that says so");
+  cli->add_option("--per-page", arguments->sheets.per_page,
+                  "Of a contact sheet: most cells on a page; NAME-1.png, NAME-2.png, … if they are "
+                  "more (0: one page)")
+      ->check(CLI::Range(0, 100000));
+  cli->add_flag("--no-verify", arguments->sheets.no_verify,
+                "Of a contact sheet: g as the files state it, and no marks");
   cli->add_option("--shape", arguments->shape, "Of a trace: this shape instead of the first");
   cli->add_option("--region", arguments->region, "Of a trace: this region, counted from 0")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""));
+  cli->footer(kDrawFooter + app.get_footer());
+  cli->final_callback([arguments, cli] { check_options(*cli, *arguments); });
   return {cli, [arguments](Console& console) { return draw(console, *arguments); }};
 }
 

@@ -11,6 +11,7 @@
 #include "app/summary.h"
 #include "c1mesh/cost.h"
 #include "c1mesh/parametrize.h"
+#include "c1mesh/png.h"
 #include "c1mesh/trade_off.h"
 #include "c1mesh/write.h"
 
@@ -34,6 +35,10 @@ std::vector<FileText> output_files(const RunOptions& options, const Outcome& out
   if (options.wants("svg")) {
     const StageTimer drawing("draw");
     files.push_back({stem + ".svg", draw_svg(result, {})});
+  }
+  if (options.wants("png")) {
+    const StageTimer drawing("draw");
+    files.push_back({stem + ".png", png_of(draw_svg(result, {}))});
   }
   for (const char* mesh : {"vtu", "msh", "mesh"})
     if (options.wants(mesh))

@@ -72,11 +72,11 @@ void add_together(CLI::App& cli, ReadOptions& options) {
 
 void add_run_options(CLI::App& cli, RunOptions& options) {
   cli.add_option("--formats", options.formats,
-                 "json (always written), svg, html, vtu, msh, mesh, obj, cert")
+                 "json (always written), svg, png, html, vtu, msh, mesh, obj, cert")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str()
-      ->check(CLI::IsMember({"json", "svg", "html", "vtu", "msh", "mesh", "obj", "cert"}));
+      ->check(CLI::IsMember({"json", "svg", "png", "html", "vtu", "msh", "mesh", "obj", "cert"}));
   add_together(cli, options.read);
   add_read_limits(cli, options.read);
   cli.add_flag("--trade-off", options.trade_off,

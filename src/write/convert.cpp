@@ -3,12 +3,13 @@
 #include <fmt/ranges.h>
 
 #include "c1mesh/error.h"
+#include "c1mesh/png.h"
 #include "c1mesh/write.h"
 
 namespace c1mesh {
 
 std::vector<std::string> convertible_extensions() {
-  return {".vtu", ".msh", ".mesh", ".obj", ".svg", ".html", ".json"};
+  return {".vtu", ".msh", ".mesh", ".obj", ".svg", ".png", ".html", ".json"};
 }
 
 std::string convert(const Result& result, const std::string& path, const ConvertOptions& options) {
@@ -19,6 +20,7 @@ std::string convert(const Result& result, const std::string& path, const Convert
   if (ends_with(".mesh")) return format_mfem(result, domain(".mesh"));
   if (ends_with(".obj")) return format_obj(result, options.tessellation);
   if (ends_with(".svg")) return draw_svg(result);
+  if (ends_with(".png")) return png_of(draw_svg(result));
   if (ends_with(".html")) return format_html(result);
   if (ends_with(".json")) return format_result(result);
   Defect defect;

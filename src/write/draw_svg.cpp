@@ -4,35 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/xml.h"
 #include "c1mesh/write.h"
+#include "raster/font.h"
+#include "write/key.h"
+#include "write/page_unit.h"
 #include "write/result_painter.h"
 
 namespace c1mesh {
 namespace {
 
-constexpr double kMargin = 28, kHeader = 58, kLegend = 56;  // pixels
-constexpr double kTallest = 1.5;                            // a panel's height over its width
-constexpr double kNarrow = 340;                             // a block in which text is kept short
+constexpr double kMargin = 28, kHeader = 58;  // pixels
+constexpr double kTallest = 1.5;              // a panel's height over its width
+constexpr double kNarrow = 340;               // a block in which text is kept short
 
 constexpr const char* kStyle = R"(<style>
 text{font-family:Helvetica,Arial,sans-serif;fill:#2a2f38}
 path,line{fill:none;stroke-linecap:round;stroke-linejoin:round}
 )";
-
-const char* name_of(Part part) {
-  switch (part) {
-    case Part::outline:
-      return "outline";
-    case Part::mesh:
-      return "mesh";
-    case Part::shape:
-      return "shape";
-    default:
-      return "domain";
-  }
-}
 
 /// One panel on the page: its frame in pixels.
 struct Frame {
@@ -45,7 +36,9 @@ class Page {
       : results_(results),
         options_(options),
         columns_(std::clamp<std::size_t>(options.columns, 1, results.size())),
-        block_width_((options.width - kMargin) / static_cast<double>(columns_)) {
+        unit_(page_unit(options.width)),
+        width_(options.width / unit_),
+        block_width_((width_ - kMargin) / static_cast<double>(columns_)) {
     const std::size_t panels = options.parts.size() * (options.zoom ? 2 : 1);
     panel_width_ = std::max(
         50.0, (block_width_ - static_cast<double>(panels) * kMargin) / static_cast<double>(panels));
@@ -54,8 +47,9 @@ class Page {
   }
 
   std::string draw() {
-    const bool coloured = options_.colour != Colour::none;
-    if (coloured) choose_scale();
+    const bool scaled =
+        options_.colour == Colour::distortion || options_.colour == Colour::c1_deviation;
+    if (scaled) choose_scale();
     std::string blocks;
     double top = 0;
     for (std::size_t first = 0; first < results_.size(); first += columns_) {
@@ -66,8 +60,15 @@ class Page {
         blocks += block(k, static_cast<double>(k - first) * block_width_, top, height);
       top += kHeader + height + (last < results_.size() ? 0.5 * kMargin : kMargin);
     }
-    return header(top + (coloured ? kLegend : 0)) + blocks + (coloured ? legend(top) : "") +
-           "</svg>\n";
+    if (scaled) {
+      blocks += legend(scale_, kMargin, top, std::min(420.0, width_ - 2 * kMargin));
+      top += kLegendHeight;
+    }
+    const Key key = options_.show_key
+                        ? key_of(contents(), kMargin, top - (scaled ? 6 : 14), width_ - 2 * kMargin)
+                        : Key{};
+    if (key.height > 0) top += key.height;
+    return header(top) + blocks + key.svg + "</svg>\n";
   }
 
  private:
@@ -85,9 +86,10 @@ class Page {
 
   std::string header(double height) const {
     std::string out = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
-        "viewBox=\"0 0 {0:.0f} {1:.0f}\">\n<title>{2}</title>\n",
-        options_.width, height, title_of(0));
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.0f}\" height=\"{:.0f}\" "
+        "viewBox=\"0 0 {:.6g} {:.6g}\">\n<title>{}</title>\n",
+        options_.width, std::ceil(height * unit_), width_, std::ceil(height * unit_) / unit_,
+        xml_escaped(title_of(0)));
     out += kStyle;
     out += kPainterStyle;
     // What only some pictures need.
@@ -97,16 +99,48 @@ class Page {
     if (options_.zoom) out += ".window{fill:none;stroke:#2a2f38;stroke-width:.8}\n";
     if (std::any_of(results_.begin(), results_.end(), [](const Drawn& r) { return r.over; }))
       out += ".over{stroke:#d0342c;stroke-width:1.4}\n";
+    if (options_.colour != Colour::none)
+      out +=
+          ".frame{fill:none;stroke:#2a2f38;stroke-width:.6}\n"
+          ".tick{stroke:#2a2f38;stroke-width:.8}\n";
     out += "</style>\n";
-    out += fmt::format("<rect width=\"{:.0f}\" height=\"{:.0f}\" fill=\"#fff\"/>\n", options_.width,
-                       height);
+    if (!options_.transparent) out += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    return out;
+  }
+
+  // What of all that a key can explain is in the picture.
+  KeyContents contents() const {
+    const auto& parts = options_.parts;
+    const auto has = [&](Part part) { return std::count(parts.begin(), parts.end(), part) > 0; };
+    const bool inner = has(Part::mesh) || has(Part::shape) || has(Part::domain);
+    KeyContents out;
+    out.lines = options_.grid_lines > 0 && options_.colour != Colour::checkerboard &&
+                options_.colour == Colour::none && (has(Part::shape) || has(Part::domain));
+    out.net = options_.show_control_net && (has(Part::mesh) || has(Part::shape));
+    for (std::size_t k = 0; k < results_.size(); ++k) {
+      const Result& result = *results_[k].result;
+      const bool marked = inner && !painters_[k].claims_nothing();
+      out.exceptional |= marked && !result.exceptional_vertices.empty();
+      out.relaxed |=
+          marked && options_.show_mesh && result.relaxed_edges.size() > result.feature_edges.size();
+      out.features |= !result.feature_edges.empty();
+      out.over |= results_[k].over && has(Part::domain);
+    }
     return out;
   }
 
   std::string title_of(std::size_t k) const {
     const Drawn& r = results_[k];
-    if (!r.title.empty()) return xml_escaped(r.title);
-    return xml_escaped(r.result->name.empty() ? "c1mesh result" : r.result->name);
+    if (!r.title.empty()) return r.title;
+    return r.result->name.empty() ? "c1mesh result" : r.result->name;
+  }
+
+  // A line of text over a block, cut where the block ends.
+  std::string line_over(double left, double y, double size, bool bold,
+                        const std::string& words) const {
+    return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}>{}</text>\n", left + kMargin, y,
+                       size, bold ? " font-weight=\"bold\"" : "",
+                       xml_escaped(text_within(words, (block_width_ - kMargin) / size, bold)));
   }
 
   // In a narrow block without what can be spared.
@@ -124,11 +158,8 @@ class Page {
 
   std::string block(std::size_t k, double left, double top, double height) const {
     const Result& result = *results_[k].result;
-    std::string out =
-        fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"17\" font-weight=\"bold\">{}</text>\n",
-                    left + kMargin, top + 28, title_of(k));
-    out += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"12\">{}</text>\n", left + kMargin,
-                       top + 46, summary_of(result, painters_[k].claims_nothing()));
+    std::string out = line_over(left, top + 28, 17, true, title_of(k));
+    out += line_over(left, top + 46, 12, false, summary_of(result, painters_[k].claims_nothing()));
     Frame frame{left + kMargin, top + kHeader, panel_width_, height};
     for (const Part part : options_.parts) {
       const std::string id = name_of(part) + (k == 0 ? std::string() : fmt::format("-{}", k + 1));
@@ -166,39 +197,25 @@ class Page {
 
   void choose_scale() {
     if (options_.colour == Colour::c1_deviation) {
-      scale_ = {1e-17, 1e-3, "C1 deviation, relative to the extent"};
+      double least = std::numeric_limits<double>::infinity(), most = 0;
+      for (const ResultPainter& painter : painters_) {
+        const auto [low, high] = painter.range_of_deviations();
+        if (high > 0) least = std::min(least, low);
+        most = std::max(most, high);
+      }
+      scale_ = deviation_scale(std::min(least, most), most);
       return;
     }
-    double most = 3;
+    double most = 2;
     for (const ResultPainter& painter : painters_)
       most = std::max(most, painter.largest_distortion());
-    scale_ = {2, most, "distortion (MIPS: 2 is a similarity)"};
-  }
-
-  std::string legend(double top) const {
-    constexpr int kSteps = ColourScale::kSteps;
-    const double width = std::min(420.0, options_.width - 2 * kMargin), bar = width / kSteps;
-    std::string out = "<g id=\"legend\">\n";
-    for (int k = 0; k < kSteps; ++k)
-      out += fmt::format(
-          "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"10\" fill=\"{}\"/>\n",
-          kMargin + k * bar, top, bar + 0.3, scale_colour((k + 0.5) / kSteps));
-    for (const double share : {0.0, 0.5, 1.0}) {
-      const double value = scale_.low * std::pow(scale_.high / scale_.low, share);
-      const char* anchor = share == 0 ? "start" : share == 1 ? "end" : "middle";
-      out += fmt::format(
-          "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"11\" text-anchor=\"{}\">{:.3g}"
-          "</text>\n",
-          kMargin + share * width, top + 24, anchor, value);
-    }
-    out += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"11\">{}</text>\n",
-                       kMargin + width + 16, top + 9, scale_.label);
-    return out + "</g>\n";
+    scale_ = distortion_scale(most);
   }
 
   const std::vector<Drawn>& results_;
   const DrawOptions& options_;
   std::size_t columns_;
+  double unit_, width_;  // the page is laid out this wide, then enlarged by the unit
   double block_width_, panel_width_ = 0;
   std::vector<ResultPainter> painters_;
   ColourScale scale_;

@@ -9,6 +9,7 @@
 
 #include "base/xml.h"
 #include "c1mesh/trace.h"
+#include "write/page_unit.h"
 
 namespace c1mesh {
 namespace {
@@ -57,7 +58,8 @@ class Plot {
   Plot(const std::string& title, const std::vector<TraceRecord>& records, double width)
       : title_(title),
         records_(records),
-        width_(std::max(width, 300.0)),
+        unit_(page_unit(width)),
+        width_(std::max(width / unit_, 300.0)),
         height_(std::round(300 + 0.42 * width_)) {
     find_bands();
     double top = kTop;
@@ -131,9 +133,9 @@ class Plot {
 
   std::string header() const {
     std::string out = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
-        "viewBox=\"0 0 {0:.0f} {1:.0f}\">\n<title>{2}</title>\n",
-        width_, height_, xml_escaped(title_));
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.0f}\" height=\"{:.0f}\" "
+        "viewBox=\"0 0 {:.0f} {:.0f}\">\n<title>{}</title>\n",
+        unit_ * width_, unit_ * height_, width_, height_, xml_escaped(title_));
     out += kStyle;
     out +=
         fmt::format("<rect width=\"{:.0f}\" height=\"{:.0f}\" fill=\"#fff\"/>\n", width_, height_);
@@ -297,7 +299,7 @@ class Plot {
 
   const std::string& title_;
   const std::vector<TraceRecord>& records_;
-  double width_, height_;
+  double unit_, width_, height_;
   std::vector<std::string> stages_;  // in the order of their first iterations
   std::vector<Band> bands_;
   std::array<Quantity, 3> quantities_{

@@ -69,23 +69,37 @@ std::vector<IsoLine> joined(const Result& result, int axis, double value, std::v
 
 }  // namespace
 
-std::vector<IsoLine> iso_lines(const Result& result, int count) {
-  std::vector<IsoLine> out;
-  if (count < 1 || result.triangles.empty()) return out;
-  Point low = result.domain_vertices[result.triangles[0][0]], high = low;
+Grid grid_of(const Result& result, int count) {
+  Grid grid;
+  if (count < 1 || result.triangles.empty()) return grid;
+  grid.low = grid.high = result.domain_vertices[result.triangles[0][0]];
   for (const auto& t : result.triangles)
     for (const int v : t) {
-      low = low.cwiseMin(result.domain_vertices[v]);
-      high = high.cwiseMax(result.domain_vertices[v]);
+      grid.low = grid.low.cwiseMin(result.domain_vertices[v]);
+      grid.high = grid.high.cwiseMax(result.domain_vertices[v]);
     }
-  const double extent = (high - low).maxCoeff(), step = extent / count;
+  const Point size = grid.high - grid.low;
+  const double step = size.maxCoeff() / count;
+  if (!(step > 0)) return grid;
+  grid.step = step;
+  for (int axis = 0; axis < 2; ++axis) {
+    grid.lines[axis] = static_cast<int>(std::floor(size[axis] / step + 0.5));
+    grid.first[axis] = grid.low[axis] + 0.5 * (size[axis] - (grid.lines[axis] - 1) * step);
+  }
+  return grid;
+}
+
+std::vector<IsoLine> iso_lines(const Result& result, int count) {
+  std::vector<IsoLine> out;
+  const Grid grid = grid_of(result, count);
+  const double step = grid.step, extent = (grid.high - grid.low).maxCoeff();
   if (!(step > 0)) return out;
   for (int axis = 0; axis < 2; ++axis) {
-    const int lines = static_cast<int>(std::floor((high[axis] - low[axis]) / step + 0.5));
-    const double first = low[axis] + 0.5 * (high[axis] - low[axis] - (lines - 1) * step);
+    const int lines = grid.lines[axis];
+    const double first = grid.first[axis];
     std::vector<std::vector<Cut>> cuts(std::max(lines, 0));
     for (int t = 0; t < static_cast<int>(result.triangles.size()); ++t) {
-      double least = high[axis], most = low[axis];
+      double least = grid.high[axis], most = grid.low[axis];
       for (const int v : result.triangles[t]) {
         least = std::min(least, result.domain_vertices[v][axis]);
         most = std::max(most, result.domain_vertices[v][axis]);

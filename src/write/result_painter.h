@@ -3,9 +3,11 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "c1mesh/write.h"
+#include "write/colour_scale.h"
 #include "write/grid_lines.h"
 #include "write/mesh_edges.h"
 #include "write/piecewise_map.h"
@@ -13,13 +15,8 @@
 
 namespace c1mesh {
 
-/// Values mapped to the colour scale by logarithm.
-struct ColourScale {
-  static constexpr int kSteps = 48;
-  double low = 1, high = 10;
-  std::string label;
-  int step(double value) const;
-};
+/// `outline`, `mesh`, `shape` or `domain`.
+const char* name_of(Part part);
 
 /// The style sheet of what ResultPainter draws.
 extern const char* const kPainterStyle;
@@ -37,8 +34,10 @@ class ResultPainter {
   /// Everything of the part that meets `seen`, as an SVG group `id`.
   std::string paint(const Panel& panel, Part part, const Box& seen, const std::string& id,
                     const ColourScale& scale) const;
-  /// The largest distortion (or the largest finite one) at the points whose colour is drawn.
+  /// The largest finite distortion at points spread over every triangle, 2 at least.
   double largest_distortion() const;
+  /// The C1 deviations that are drawn: the least that is not zero, and the largest.
+  std::pair<double, double> range_of_deviations() const;
   /// A result that gives C1 up at every vertex; marks would tell nothing.
   bool claims_nothing() const { return claims_nothing_; }
 
@@ -51,20 +50,23 @@ class ResultPainter {
   std::string control_net(const Panel& panel) const;
   std::string over_path(const Panel& panel) const;
   std::string dots(const Panel& panel, bool domain) const;
-  std::string fill(const Panel& panel, bool domain, const ColourScale& scale) const;
+  std::string squares(const Panel& panel, bool domain) const;
+  std::string fill(const Panel& panel, bool domain, const Box& seen,
+                   const ColourScale& scale) const;
+  void fill_triangle(std::vector<PathData>& paths, int t, int cuts, bool domain,
+                     const ColourScale& scale) const;
   std::vector<double> triangle_deviations() const;
+  std::vector<Point> corners_of(int t, bool domain) const;
+  std::string thin(const Panel& panel, const char* css) const;
   Point place_of(int vertex, bool domain) const;
   int zoomed_vertex() const;
-  /// Calls visit(triangle, three barycentric corners) for the small triangles that are filled.
-  template <class Visit>
-  void pieces(int t, const Visit& visit) const;
-
   const Result& result_;
   const Result* over_;
   const DrawOptions& options_;
   PiecewiseMap map_;
   std::vector<DrawnEdge> edges_;
   std::vector<IsoLine> lines_;
+  std::vector<std::pair<int, int>> corner_of_;  ///< of each vertex: a triangle and which corner
   bool claims_nothing_;
 };
 

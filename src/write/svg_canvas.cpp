@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "bernstein/curve.h"
@@ -42,6 +41,7 @@ Panel::Panel(const Point& low, const Point& high, double left, double top, doubl
     : centre_(left + width / 2, top + height / 2), middle_(0.5 * (low + high)) {
   const Point size = (high - low).cwiseMax(Point::Constant(1e-300));
   scale_ = std::min(width / size.x(), height / size.y());
+  size_ = scale_ * size;
 }
 
 Point Panel::place(const Point& p) const {
@@ -61,9 +61,16 @@ void PathData::cubic(const Point& b, const Point& c, const Point& d) {
       fmt::format("C{} {} {}", pair(panel_.place(b)), pair(panel_.place(c)), pair(panel_.place(d)));
 }
 
+// Less than a pixel: no one sees that it is curved.
+bool PathData::is_tiny(const std::vector<Point>& poles) const {
+  constexpr double kTiny = 0.75;
+  const Box box = box_of(poles);
+  return (box.high - box.low).maxCoeff() * panel_.scale() < kTiny;
+}
+
 void PathData::curve(const std::vector<Point>& poles) {
   BezierCurve bezier{poles};
-  if (bezier.degree() == 1) return line(poles[1]);
+  if (bezier.degree() == 1 || is_tiny(poles)) return line(poles.back());
   if (bezier.degree() <= 3) {
     bezier = elevate(bezier, 3);
     return cubic(bezier.poles[1], bezier.poles[2], bezier.poles[3]);
@@ -76,26 +83,11 @@ void PathData::curve(const std::vector<Point>& poles) {
   }
 }
 
-std::string path_element(const std::string& css_class, const PathData& data) {
+std::string path_element(const std::string& css_class, const PathData& data,
+                         const std::string& style) {
   if (data.empty()) return "";
-  return "<path class=\"" + css_class + "\" d=\"" + data.text() + "\"/>\n";
-}
-
-std::string scale_colour(double share) {
-  static constexpr std::array<std::array<double, 3>, 6> stops{{{240, 246, 250},
-                                                               {170, 212, 226},
-                                                               {160, 206, 158},
-                                                               {250, 220, 120},
-                                                               {233, 136, 70},
-                                                               {160, 28, 44}}};
-  const double at = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
-  const auto first = std::min<std::size_t>(static_cast<std::size_t>(at), stops.size() - 2);
-  const double rest = at - static_cast<double>(first);
-  std::array<int, 3> rgb;
-  for (int k = 0; k < 3; ++k)
-    rgb[k] =
-        static_cast<int>(std::lround((1 - rest) * stops[first][k] + rest * stops[first + 1][k]));
-  return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
+  const std::string attribute = style.empty() ? "" : " style=\"" + style + "\"";
+  return "<path class=\"" + css_class + "\"" + attribute + " d=\"" + data.text() + "\"/>\n";
 }
 
 }  // namespace c1mesh

@@ -24,9 +24,10 @@ class Panel {
   Panel(const Point& low, const Point& high, double left, double top, double width, double height);
   Point place(const Point& p) const;
   double scale() const { return scale_; }  ///< pixels per unit
+  Point size() const { return size_; }     ///< of the box, in pixels
 
  private:
-  Point centre_, middle_;
+  Point centre_, middle_, size_;
   double scale_;
 };
 
@@ -37,7 +38,8 @@ class PathData {
   void move(const Point& p);
   void line(const Point& p);
   /// Continues from the current point along a Bezier curve of any degree: exactly up to degree 3,
-  /// above that as four cubics with the curve's points and derivatives at their ends.
+  /// above that as four cubics with the curve's points and derivatives at their ends. Where it is
+  /// smaller than a pixel, as a line.
   void curve(const std::vector<Point>& poles);
   void close() { text_ += "Z"; }
   bool empty() const { return text_.empty(); }
@@ -45,15 +47,14 @@ class PathData {
 
  private:
   void cubic(const Point& b, const Point& c, const Point& d);
+  bool is_tiny(const std::vector<Point>& poles) const;
 
   const Panel& panel_;
   std::string text_;
 };
 
-/// `<path class="…" d="…"/>`, nothing for an empty path.
-std::string path_element(const std::string& css_class, const PathData& data);
-
-/// `#rrggbb` of the scale from near white (0) over blue, green and yellow to dark red (1).
-std::string scale_colour(double share);
+/// `<path class="…" d="…"/>`, with a `style` if there is one; nothing for an empty path.
+std::string path_element(const std::string& css_class, const PathData& data,
+                         const std::string& style = "");
 
 }  // namespace c1mesh

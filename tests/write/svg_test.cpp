@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "c1mesh/error.h"
+#include "c1mesh/png.h"
 #include "c1mesh/write.h"
 #include "result/example_results.h"
 
@@ -223,6 +224,7 @@ TEST(Convert, GoesByExtension) {
   EXPECT_EQ(convert(result, "b.obj"), format_obj(result, 8));
   EXPECT_EQ(convert(result, "b.obj", options), format_obj(result, 3));
   EXPECT_EQ(convert(result, "b.svg"), draw_svg(result));
+  EXPECT_EQ(convert(result, "b.png"), png_of(draw_svg(result)));
   EXPECT_EQ(convert(result, "b.c1.json"), format_result(result));
   for (const char* path : {"b.stl", "b", "svg", "b.svg.gz"})
     EXPECT_THROW(convert(result, path), InputError);
