@@ -87,13 +87,15 @@ ColourScale deviation_scale(double least_positive, double largest) {
 }
 
 std::string scale_colour(double share) {
-  static constexpr std::array<std::array<int, 3>, 7> kStops{{{0xFC, 0xFD, 0xBF},
-                                                             {0xFE, 0xC2, 0x87},
-                                                             {0xFB, 0x88, 0x61},
-                                                             {0xE6, 0x51, 0x64},
+  static constexpr std::array<std::array<int, 3>, 9> kStops{{{0xFC, 0xFD, 0xBF},
+                                                             {0xFE, 0xCE, 0x91},
+                                                             {0xFE, 0x9F, 0x6D},
+                                                             {0xF7, 0x6F, 0x5C},
+                                                             {0xDE, 0x49, 0x68},
                                                              {0xB6, 0x36, 0x79},
-                                                             {0x82, 0x26, 0x81},
-                                                             {0x51, 0x12, 0x7C}}};
+                                                             {0x8C, 0x29, 0x81},
+                                                             {0x64, 0x1A, 0x80},
+                                                             {0x3B, 0x0F, 0x70}}};
   const double at = std::clamp(share, 0.0, 1.0) * (kStops.size() - 1);
   const auto first = std::min<std::size_t>(static_cast<std::size_t>(at), kStops.size() - 2);
   const double rest = at - static_cast<double>(first);

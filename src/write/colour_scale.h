@@ -30,7 +30,7 @@ ColourScale deviation_scale(double least_positive, double largest);
 /// `#rrggbb` of a share 0 … 1: from pale yellow over orange and magenta to violet. Lightness falls
 /// evenly, so the order can be seen in grey print and by whoever does not tell red from green; good
 /// places are nearly white and cost no ink. Reversed "magma" of matplotlib (CC0), without its
-/// darkest quarter, on which no line would show.
+/// darkest fifth, on which no line would show.
 std::string scale_colour(double share);
 
 constexpr double kLegendHeight = 62;  ///< pixels

@@ -45,11 +45,12 @@ Key key_of(const KeyContents& contents, double left, double top, double width) {
       key.height += kRow;
     }
     const double y = top + key.height - kRow / 2;
+    // The dot is a line of length zero with round ends.
     key.svg += entry.css ? fmt::format("<path class=\"{}\" d=\"M{:.1f},{:.1f}h{}\"/>\n", entry.css,
                                        x, y, kSample)
                          : fmt::format(
-                               "<circle class=\"exceptional\" cx=\"{:.1f}\" cy=\"{:.1f}\" "
-                               "r=\"4.5\"/>\n",
+                               "<path style=\"stroke:#199a4c;stroke-width:8\" "
+                               "d=\"M{0:.1f},{1:.1f}L{0:.1f},{1:.1f}\"/>\n",
                                x + kSample / 2, y);
     key.svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + kSample + 6, y + 4,
                            entry.words);
