@@ -2,12 +2,14 @@
 // Everything: read, check, parametrize, trade off, verify, evaluate, write, generate.
 #pragma once
 
+#include "c1mesh/barycentric.h"
 #include "c1mesh/certificate.h"
 #include "c1mesh/cost.h"
 #include "c1mesh/error.h"
 #include "c1mesh/evaluate.h"
 #include "c1mesh/font.h"
 #include "c1mesh/generate.h"
+#include "c1mesh/map.h"
 #include "c1mesh/options.h"
 #include "c1mesh/parametrize.h"
 #include "c1mesh/progress.h"
