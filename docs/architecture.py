@@ -32,6 +32,7 @@ MODULES = {
     "optimise": ("road", "CurvedMesh, Roles", "Attempt: an exactly C1 map, or where it failed"),
     "paper": ("road", "CurvedMesh, Options", "PaperSolution: the paper's two phases; the C1 projection"),
     "result": ("road", "Result or text", "text or Result; files whole or not at all"),
+    "map": ("side", "Result", "Map: values, derivatives, inverse"),
     "verify": ("road", "Result", "VerifyReport: proofs and metrics"),
     "evaluate": ("side", "folders of results", "Evaluation: tables, histograms"),
     "pipeline": ("road", "Shape, Options", "Outcome: Result, verified"),

@@ -2,6 +2,7 @@
 // Everything: read, check, parametrize, trade off, verify, evaluate, write, generate.
 #pragma once
 
+#include "c1mesh/barycentric.h"
 #include "c1mesh/certificate.h"
 #include "c1mesh/contact_sheet.h"
 #include "c1mesh/cost.h"
@@ -9,6 +10,7 @@
 #include "c1mesh/evaluate.h"
 #include "c1mesh/font.h"
 #include "c1mesh/generate.h"
+#include "c1mesh/map.h"
 #include "c1mesh/options.h"
 #include "c1mesh/parametrize.h"
 #include "c1mesh/png.h"

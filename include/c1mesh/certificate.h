@@ -11,7 +11,12 @@
 
 namespace c1mesh {
 
-enum class Verdict { valid, invalid, undecided };
+/// What was found of one claim.
+enum class Verdict {
+  valid,     ///< proven
+  invalid,   ///< disproven
+  undecided  ///< neither, within the depth that was allowed
+};
 
 /// "valid", "invalid", "undecided".
 const char* name_of(Verdict verdict);
@@ -20,8 +25,8 @@ const char* name_of(Verdict verdict);
 struct VerifyItem {
   std::string name;  ///< "topology", "coverage", "conformance", "boundary simple",
                      ///< "domain orientation", "regularity", "C1", "exceptional vertices", …
-  Verdict verdict = Verdict::undecided;
-  std::string message;  ///< what was found, with ids
+  Verdict verdict = Verdict::undecided;  ///< what was found
+  std::string message;                   ///< what was found, with ids
 };
 
 /// Where a proof splits, in preorder: '1' a piece that is split, '0' one that is proven as it is.
@@ -46,9 +51,10 @@ struct EdgeBound {
 /// one edge, why it does not meet itself. Pairs that need no split are left out.
 struct PairProof {
   std::array<int, 4> edges{};  ///< a, b, c, d
-  ProofMarks marks;
+  ProofMarks marks;            ///< of the comparisons of both edges' pieces
 };
 
+/// All that verify() proved of a result.
 struct Certificate {
   std::string name;                      ///< of the result
   int degree = 3;                        ///< of the result
@@ -59,7 +65,7 @@ struct Certificate {
   std::vector<TriangleProof> triangles;  ///< in the result's order
   std::vector<EdgeBound> edges;          ///< across which C1 is claimed, by (least, other) vertex
   std::vector<EdgeBound> curve_edges;    ///< boundary edges, then feature edges, the result's order
-  std::vector<PairProof> boundary;
+  std::vector<PairProof> boundary;       ///< pairs of boundary edges that needed a split
 };
 
 /// The text of docs/certificate.md. Numbers read back bit for bit.

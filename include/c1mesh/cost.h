@@ -11,8 +11,8 @@ namespace c1mesh {
 /// One stage's own time in seconds, that of stages within it taken away: by the wall, and of the
 /// process's processors (all threads).
 struct StageCost {
-  std::string stage;
-  double wall = 0, cpu = 0;
+  std::string stage;         ///< its name
+  double wall = 0, cpu = 0;  ///< seconds
 };
 
 /// Sums of what stages cost. It is filled while a CostRecording of the thread that runs the stages
@@ -21,7 +21,9 @@ class CostLedger {
  public:
   /// In the order in which they first ended.
   const std::vector<StageCost>& stages() const { return stages_; }
+  /// Forgets everything.
   void clear() { stages_.clear(); }
+  /// Adds to the stage of this name, in seconds; a new name makes a new stage.
   void add(const char* stage, double wall, double cpu);
 
  private:
@@ -31,6 +33,7 @@ class CostLedger {
 /// While it lives, the calling thread's stages go to `ledger`.
 class CostRecording {
  public:
+  /// `ledger` must outlive the recording.
   explicit CostRecording(CostLedger& ledger);
   ~CostRecording();
   CostRecording(const CostRecording&) = delete;
@@ -43,6 +46,7 @@ class CostRecording {
 /// A stage lasts as long as its timer. Timers of one thread nest. `stage` must outlive it.
 class StageTimer {
  public:
+  /// Begins the stage; nothing is measured where no CostRecording of this thread lives.
   explicit StageTimer(const char* stage);
   ~StageTimer();
   StageTimer(const StageTimer&) = delete;

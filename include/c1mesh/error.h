@@ -10,6 +10,7 @@
 
 namespace c1mesh {
 
+/// What kind of fault an input has.
 enum class DefectKind {
   malformed,             ///< the file is not what its name says: syntax, missing keys, wrong types
   unsupported,           ///< legal but not ours: rational curves, text, images
@@ -35,12 +36,12 @@ const char* name_of(DefectKind kind);
 
 /// One finding of `read` or `check`.
 struct Defect {
-  DefectKind kind = DefectKind::note;
-  std::vector<std::string> curves;  ///< ids of the curves concerned, in the input's own naming
-  std::vector<Point> where;         ///< coordinates in the input's units
-  std::string message;              ///< what is wrong, one sentence
-  std::string remedy;               ///< what would mend it, one sentence; empty for notes
-  bool repaired = false;            ///< mended on the way; the result uses the mended curve
+  DefectKind kind = DefectKind::note;  ///< what kind of finding
+  std::vector<std::string> curves;     ///< ids of the curves concerned, in the input's own naming
+  std::vector<Point> where;            ///< coordinates in the input's units
+  std::string message;                 ///< what is wrong, one sentence
+  std::string remedy;                  ///< what would mend it, one sentence; empty for notes
+  bool repaired = false;               ///< mended on the way; the result uses the mended curve
 };
 
 /// "kind: message (curves …, at (x, y)); remedy" on one line.
@@ -49,7 +50,9 @@ std::string describe(const Defect& defect);
 /// The input cannot be used. Carries every defect found, not just the first (exit status 3).
 class InputError : public std::runtime_error {
  public:
+  /// what() describes the first of the defects.
   explicit InputError(std::vector<Defect> found);
+  /// Everything that was found, in the order in which it was found.
   const std::vector<Defect>& defects() const { return defects_; }
 
  private:

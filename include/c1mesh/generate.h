@@ -21,15 +21,16 @@ std::vector<Drawing> generate(char set, int count, std::uint64_t seed);
 
 /// A family of hard shapes. Its parameter runs from pleasant to nasty.
 struct Family {
-  std::string name;
-  std::string parameter;  ///< what it says about a shape
-  double pleasant = 0, nasty = 0;
-  int highest_degree = 1;  ///< of any curve of any shape
+  std::string name;                ///< as `generate_family` takes it
+  std::string parameter;           ///< what it says about a shape
+  double pleasant = 0, nasty = 0;  ///< where the parameter runs from and to
+  int highest_degree = 1;          ///< of any curve of any shape
 };
 
+/// One shape of a family.
 struct FamilyShape {
-  double parameter = 0;
-  Drawing drawing;
+  double parameter = 0;  ///< its value, in the family's own unit
+  Drawing drawing;       ///< not checked
 };
 
 /// Every family there is.

@@ -7,6 +7,7 @@
 
 namespace c1mesh {
 
+/// Which method makes the map.
 enum class Method {
   exact,  ///< C1 to rounding (docs/method.md)
   paper,  ///< the paper's two phases (docs/paper.md)
@@ -29,7 +30,7 @@ enum class PaperStage {
 /// are for phase one and phase two. Lengths are measured where the larger side of the shape's
 /// bounding box is `extent` units: E_s grows with it, E_reg with its square, E_g not at all.
 struct PaperOptions {
-  double extent = 1000;
+  double extent = 1000;                     ///< larger side of the shape for the weights below
   double regularisation[2] = {1e-6, 1e-8};  ///< lambda_reg
   double hard_penalty[2] = {100, 1};        ///< lambda_h
   double barrier = 0.1;                     ///< rho
@@ -37,12 +38,13 @@ struct PaperOptions {
   double smoothing[2] = {1e-3, 1e-9};       ///< of the norms in E_s, first and last, tenfold
                                             ///< falling; relative to the extent
   int iterations[2] = {300, 60};            ///< at most, in each phase
-  Straightening straightening = Straightening::orthogonal;
-  PaperStage last_stage = PaperStage::phase_two;
+  Straightening straightening = Straightening::orthogonal;  ///< between the phases
+  PaperStage last_stage = PaperStage::phase_two;            ///< where to end
 };
 
+/// What is asked of a run. Out of range: std::invalid_argument from what takes them.
 struct Options {
-  Method method = Method::exact;
+  Method method = Method::exact;  ///< how the map is made
   double alpha = 100;       ///< g(t) <= alpha * mips_bound is asked of every triangle (eq. 4.5)
   double mips_bound = 10;   ///< mu, the MIPS bound of the initial triangulation
   int degree = 3;           ///< at least 3; raised to the input's highest degree
@@ -52,14 +54,14 @@ struct Options {
   bool no_overlap = false;  ///< the domain must not overlap itself in the plane
   double corner_angle = 8;  ///< degrees: a joint that turns by more is a corner
   int threads = 0;          ///< 0: as many as there are cores; the result does not depend on it
-  std::uint64_t seed = 1;
-  double time_limit = 0;  ///< seconds; 0: none
-  int repeat = 1;         ///< paper's method: how often phases one and two are run
-  bool project = false;   ///< afterwards onto the C1 space, boundary and all (paper, section 5.4)
+  std::uint64_t seed = 1;   ///< of every random choice
+  double time_limit = 0;    ///< seconds; 0: none
+  int repeat = 1;           ///< paper's method: how often phases one and two are run
+  bool project = false;     ///< afterwards onto the C1 space, boundary and all (paper, section 5.4)
   /// Every d_ei relative to the extent is asked to be at most this, with nothing for rounding;
   /// 0: to rounding, and for the paper's method 1e-4.
   double c1_bound = 0;
-  PaperOptions paper;
+  PaperOptions paper;  ///< of the paper's method only
 };
 
 /// The bound of d_ei that is asked, relative to the extent; 0: to rounding.

@@ -13,8 +13,8 @@ namespace c1mesh {
 
 /// A result and what its verification found.
 struct Outcome {
-  Result result;
-  VerifyReport report;
+  Result result;                      ///< the map, in the input's units
+  VerifyReport report;                ///< of `verify`, on the doubles of `result`
   bool within_bounds = false;         ///< all that was asked holds (exit status 0, else 4)
   bool gave_up = false;               ///< some region keeps C1 at no boundary vertex (last resort)
   bool time_limit_hit = false;        ///< the best state so far was taken (exit status 5)

@@ -6,6 +6,7 @@
 
 namespace c1mesh {
 
+/// A projected result and how far it moved.
 struct Projection {
   Result result;            ///< same map but for its control points; metrics are not recomputed
   double before = 0;        ///< the largest residue of an equation, relative to the extent

@@ -10,7 +10,7 @@ namespace c1mesh {
 
 /// The state after one iteration; lengths and areas in the normalised frame (extent 1/2 to 1).
 struct TraceRecord {
-  int region = 0;
+  int region = 0;        ///< of the shape, from 0
   int pass = 1;          ///< counts the attempts at the region, or the repetitions
   std::string stage;     ///< the active stage, e.g. "phase one"; a new name starts a new count
   int iteration = 0;     ///< within the stage, from 1
@@ -26,8 +26,8 @@ using Trace = std::function<void(const TraceRecord&)>;
 
 /// A line of a trace file: a record, and the shape it belongs to.
 struct TraceLine {
-  std::string shape;
-  TraceRecord record;
+  std::string shape;   ///< the name of its result
+  TraceRecord record;  ///< one iteration
 };
 
 /// The text of a trace file (docs/format.md): a JSON object for each line, in this order. What is

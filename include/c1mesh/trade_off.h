@@ -19,25 +19,27 @@ struct TradeOffPoint {
   int surplus = 0;      ///< exceptional - minimum
   double g = 0;         ///< max over triangles of g(t) (eq. 4.5); dimensionless, at least 2
   double g_median = 0;  ///< over the triangles
-  int triangles = 0;
+  int triangles = 0;    ///< how many
   double d_ei_max = 0;  ///< largest C1 deviation where C1 is asked, relative to the extent
-  bool regular = false, c1 = false;
+  bool regular = false, c1 = false;  ///< as VerifyReport has it
   bool dominated = false;  ///< another point has no more exceptional vertices and no larger g
 };
 
+/// Why the curve ends where it does.
 enum class TradeOffEnd {
   flat,       ///< g fell by less than 5 % with each of the last two vertices
   most,       ///< twelve vertices more than the minimum
   time_limit  ///< the point that was being computed is left out
 };
 
+/// The curve of one shape.
 struct TradeOff {
-  std::string name;
+  std::string name;       ///< the shape's
   Parameters parameters;  ///< what the curve depends on
   double bound = 0;       ///< alpha * mips_bound; it is drawn, the search does not use it
   int minimum = 0;        ///< exceptional_minimum of the metrics
   std::vector<TradeOffPoint> points;  ///< by increasing `asked`; none if the time limit was too low
-  TradeOffEnd end = TradeOffEnd::flat;
+  TradeOffEnd end = TradeOffEnd::flat;  ///< why it ends
 };
 
 /// Asks for the minimum of exceptional vertices, then for one more, and so on until g stops

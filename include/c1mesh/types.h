@@ -16,8 +16,11 @@ using Point = Eigen::Vector2d;
 struct BezierCurve {
   std::vector<Point> poles;  ///< control points p_0 … p_n
 
+  /// How many poles there are, less one.
   int degree() const { return static_cast<int>(poles.size()) - 1; }
+  /// The value at t = 0.
   const Point& start() const { return poles.front(); }
+  /// The value at t = 1.
   const Point& end() const { return poles.back(); }
 };
 

@@ -12,6 +12,7 @@
 
 namespace c1mesh {
 
+/// Bounds that a result is held to.
 struct VerifyOptions {
   double c1_tolerance = 1e-11;  ///< on d_ei relative to the extent, plus coordinate rounding
   /// Where finite, instead of that: every d_ei relative to the extent, and nothing for rounding.
@@ -33,16 +34,21 @@ struct Samples {
   std::vector<double> conformance;
 };
 
+/// What a verification found.
 struct VerifyReport {
-  std::vector<VerifyItem> items;
-  Metrics metrics;  ///< recomputed from the result alone (`seconds` is empty)
-  Samples samples;
-  Certificate certificate;  ///< what was proven and how
+  std::vector<VerifyItem> items;  ///< every check that was made
+  Metrics metrics;                ///< recomputed from the result alone (`seconds` is empty)
+  Samples samples;                ///< what the metrics sum up
+  Certificate certificate;        ///< what was proven and how
 
-  bool regular() const;  ///< every triangle certified, domain orientation exact
+  /// Every triangle certified, domain orientation exact.
+  bool regular() const;
+  /// The boundary is that of the curves, within the tolerance.
   bool conforming() const;
-  bool c1() const;     ///< C1 everywhere but across relaxed edges
-  bool valid() const;  ///< every item valid
+  /// C1 everywhere but across relaxed edges.
+  bool c1() const;
+  /// Every item valid.
+  bool valid() const;
 };
 
 /// Certifies a result from its data alone. Throws nothing for bad geometry: it is reported.

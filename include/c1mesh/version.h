@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Which version was linked.
 #pragma once
 
 namespace c1mesh {

@@ -12,7 +12,7 @@ namespace c1mesh {
 
 /// What fills the triangles of a picture.
 enum class Colour {
-  none,
+  none,          ///< no fill
   distortion,    ///< MIPS of the map at each point: |J|_F^2 / det J, 2 where it is a similarity
   c1_deviation,  ///< per triangle, the largest d_ei relative to the extent, over those of its edges
                  ///< across which C1 is asked; over all where it is asked of none
@@ -30,23 +30,24 @@ enum class Part {
 /// A blow-up beside a panel: a square window around a vertex.
 struct Zoom {
   static constexpr int kApart =
-      -1;  ///< where the domain and the one drawn over it are farthest apart
-  int vertex = kApart;
-  double size = 0.1;  ///< of the window, relative to the larger side of what the panel shows
+      -1;               ///< where the domain and the one drawn over it are farthest apart
+  int vertex = kApart;  ///< of the domain
+  double size = 0.1;    ///< of the window, relative to the larger side of what the panel shows
 };
 
+/// How a picture is drawn.
 struct DrawOptions {
   double width = 1200;                                    ///< of the picture, in pixels
   std::vector<Part> parts = {Part::shape, Part::domain};  ///< a result's panels, side by side
   int columns = 1;                                        ///< results side by side
-  std::optional<Zoom> zoom;  ///< every panel is followed by its blow-up
-  int grid_lines = 24;       ///< iso-lines along the longer side of the domain; 0: none
-                             ///< (std::invalid_argument for a checkerboard)
-  bool show_mesh = true;
-  bool show_control_net = false;
-  bool show_key = true;      ///< below the picture, what its lines and dots mean
-  bool transparent = false;  ///< no white ground
-  Colour colour = Colour::none;
+  std::optional<Zoom> zoom;       ///< every panel is followed by its blow-up
+  int grid_lines = 24;            ///< iso-lines along the longer side of the domain; 0: none
+                                  ///< (std::invalid_argument for a checkerboard)
+  bool show_mesh = true;          ///< the triangles' edges
+  bool show_control_net = false;  ///< the control points
+  bool show_key = true;           ///< below the picture, what its lines and dots mean
+  bool transparent = false;       ///< no white ground
+  Colour colour = Colour::none;   ///< what fills the triangles
 };
 
 /// An SVG picture: left the shape with the images of the domain's grid lines, right the domain with
@@ -57,9 +58,9 @@ std::string draw_svg(const Result& result, const DrawOptions& options = {});
 
 /// One of several results in a picture.
 struct Drawn {
-  const Result* result = nullptr;
-  std::string title;             ///< empty: the result's name
-  const Result* over = nullptr;  ///< its domain's boundary is drawn (red) over the domain
+  const Result* result = nullptr;  ///< not null where it is drawn
+  std::string title;               ///< empty: the result's name
+  const Result* over = nullptr;    ///< its domain's boundary is drawn (red) over the domain
 };
 
 /// Several results in one picture, `options.columns` of them side by side. Throws
@@ -106,6 +107,7 @@ std::string format_obj(const Result& result, int tessellation = 8);
 /// become mark-up or script of the page.
 std::string format_html(const Result& result);
 
+/// What some of the formats leave open.
 struct ConvertOptions {
   VtuCells cells = VtuCells::bezier;  ///< of .vtu
   int tessellation = 8;               ///< of .obj: pieces along each edge

@@ -216,15 +216,6 @@ std::string check_folder(const std::string& text) {
   return text == "-" ? "must be a folder" : "";
 }
 
-constexpr const char* kBatchFooter = R"(
-Examples:
-  c1mesh batch shapes -o out                        every .json and .svg of a folder
-  c1mesh batch list.txt -o out --jobs 8 --resume    goes on where it was ended
-  c1mesh batch shapes -o out --shard 3/16           every 16th input, from the third on
-  LC_ALL=C sort out/index.*-of-16.jsonl > out/index.jsonl
-Each input is worked on in a process of its own; what ends one ends no other. index.jsonl has a line
-per result, times.jsonl its seconds; journal.jsonl is for --resume.)";
-
 }  // namespace
 
 Command add_batch(CLI::App& app) {
@@ -253,7 +244,6 @@ Command add_batch(CLI::App& app) {
   add_memory_limit(*cli, options.memory_limit, " for each process");
   add_run_options(*cli, options.run);
   arguments->cli = cli;
-  cli->footer(kBatchFooter + app.get_footer());
   return {cli, [arguments](Console& console) { return run_batch(console, *arguments); }};
 }
 

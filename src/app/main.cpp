@@ -4,18 +4,15 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/endings.h"
 #include "app/interrupt.h"
+#include "app/self_description.h"
 #include "app/surroundings.h"
 #include "c1mesh/version.h"
 
 namespace {
 
 using c1mesh::app::Status;
-
-constexpr const char* kFooter = R"(
-Exit status: 0 all that was asked holds and was verified; 1 internal error; 2 wrong command line;
-3 invalid input, nothing written; 4 valid, but a bound is missed; 5 ended by a limit or a signal.
-Of several inputs the worst counts, from best to worst: 0, 4, 5, 3, 2, 1.)";
 
 int parse_error(const CLI::App& app, const CLI::ParseError& error) {
   const bool wanted = error.get_exit_code() == 0;  // --help, --version
@@ -37,12 +34,13 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::string("c1mesh ") + c1mesh::version());
   app.add_flag("-q,--quiet", console.quiet, "Say errors only");
   app.add_flag("-v,--verbose", console.verbose, "Say every stage and note");
-  app.footer(kFooter);
   app.require_subcommand(1);
   app.fallthrough();
-  const std::vector<Command> commands = {add_run(app),     add_batch(app),    add_check(app),
-                                         add_verify(app),  add_project(app),  add_draw(app),
-                                         add_convert(app), add_generate(app), add_evaluate(app)};
+  const std::vector<Command> commands = {add_run(app),     add_batch(app),     add_check(app),
+                                         add_verify(app),  add_project(app),   add_draw(app),
+                                         add_convert(app), add_generate(app),  add_evaluate(app),
+                                         add_manual(app),  add_completion(app)};
+  add_endings(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -113,12 +113,6 @@ Status run_inputs(Console& console, const RunArguments& arguments) {
   return worse(status, write_trace(run));
 }
 
-constexpr const char* kRunFooter = R"(
-Examples:
-  c1mesh run shape.svg -o out
-  c1mesh run --font DejaVuSans.ttf --text Bezier -o out    every letter a shape
-Many shapes: c1mesh batch.)";
-
 }  // namespace
 
 Command add_run(CLI::App& app) {
@@ -137,7 +131,6 @@ Command add_run(CLI::App& app) {
       ->check([](const std::string& path) {
         return path.empty() || path == "-" ? "needs the name of a file" : "";
       });
-  cli->footer(kRunFooter + app.get_footer());
   cli->final_callback([arguments] {
     require_inputs(arguments->inputs);
     if (arguments->options.trade_off && arguments->options.folder == "-")

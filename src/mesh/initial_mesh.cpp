@@ -13,9 +13,9 @@
 #include <utility>
 
 #include "bernstein/curve.h"
+#include "bernstein/net_blossom.h"
 #include "c1mesh/cost.h"
 #include "mesh/guard.h"
-#include "mesh/net_blossom.h"
 #include "mesh/no_mesh.h"
 #include "mesh/straight_mesh.h"
 #include "mesh/topology.h"

@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "bernstein/net_blossom.h"
 #include "mesh/curved_mesh.h"
-#include "mesh/net_blossom.h"
 
 namespace c1mesh {
 

@@ -6,33 +6,16 @@
 #include <limits>
 
 namespace c1mesh {
-namespace {
 
-int net_index(int n, int i, int j) {
-  return j * (n + 1) - j * (j - 1) / 2 + i;
-}
-
-/// One de Casteljau step: a net of degree n -> the net of degree n-1 with one argument fixed.
-std::vector<Point> reduced(const std::vector<Point>& net, int n, const Barycentric& at) {
-  std::vector<Point> out;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n - j; ++i)
-      out.push_back(at[0] * net[net_index(n, i, j)] + at[1] * net[net_index(n, i + 1, j)] +
-                    at[2] * net[net_index(n, i, j + 1)]);
-  return out;
-}
-
-}  // namespace
-
-std::vector<Point> PiecewiseMap::net(int t) const {
-  std::vector<Point> out;
+Net PiecewiseMap::net(int t) const {
+  Net out;
   for (const int id : result_.triangle_control_points[t]) out.push_back(result_.control_points[id]);
   return out;
 }
 
 Point PiecewiseMap::evaluate(int t, const Barycentric& at) const {
-  std::vector<Point> points = net(t);
-  for (int n = result_.degree; n > 0; --n) points = reduced(points, n, at);
+  Net points = net(t);
+  for (int n = result_.degree; n > 0; --n) reduce_net(points, n, at);
   return points[0];
 }
 
@@ -43,8 +26,8 @@ Point PiecewiseMap::domain_point(int t, const Barycentric& at) const {
 }
 
 Eigen::Matrix2d PiecewiseMap::jacobian(int t, const Barycentric& at) const {
-  std::vector<Point> points = net(t);
-  for (int n = result_.degree; n > 1; --n) points = reduced(points, n, at);
+  Net points = net(t);
+  for (int n = result_.degree; n > 1; --n) reduce_net(points, n, at);
   const auto corner = [&](int k) -> const Point& {
     return result_.domain_vertices[result_.triangles[t][k]];
   };
@@ -61,15 +44,7 @@ double PiecewiseMap::distortion(int t, const Barycentric& at) const {
 }
 
 std::vector<Point> PiecewiseMap::segment(int t, const Barycentric& p, const Barycentric& q) const {
-  std::vector<Point> out;
-  std::vector<Point> with_q = net(t);  // i arguments are q already
-  for (int i = 0; i <= result_.degree; ++i) {
-    std::vector<Point> points = with_q;
-    for (int n = result_.degree - i; n > 0; --n) points = reduced(points, n, p);
-    out.push_back(points[0]);
-    if (i < result_.degree) with_q = reduced(with_q, result_.degree - i, q);
-  }
-  return out;
+  return restrict_net_to_line(net(t), result_.degree, p, q);
 }
 
 int PiecewiseMap::turned_index(int k, int second, int third) const {

@@ -5,13 +5,13 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "bernstein/net_blossom.h"
 #include "c1mesh/result.h"
 
 namespace c1mesh {
 
-/// Barycentric coordinates in a triangle, summing to 1.
-using Barycentric = Eigen::Vector3d;
-
+/// A view of a result for those who write it, with the ids of its control points; what users of the
+/// library get is Map (c1mesh/map.h).
 class PiecewiseMap {
  public:
   explicit PiecewiseMap(const Result& result) : result_(result) {}
@@ -38,7 +38,7 @@ class PiecewiseMap {
   const Result& result() const { return result_; }
 
  private:
-  std::vector<Point> net(int t) const;
+  Net net(int t) const;
 
   const Result& result_;
 };

@@ -1,5 +1,7 @@
-# Installs the library from BUILD to a fresh prefix, then configures, builds and runs SOURCE with it.
-set(work ${BUILD}/consumer)
+# Installs the library from BUILD to a fresh prefix, then configures and builds SOURCE with it and runs
+# what it makes: `consumer`, or with DRAWING the programs of examples/library, on that drawing.
+get_filename_component(name ${SOURCE} NAME)
+set(work ${BUILD}/consumer-${name})
 file(REMOVE_RECURSE ${work})
 
 function(run_step)
@@ -19,4 +21,10 @@ file(RENAME ${work}/prefix ${work}/moved)
 run_step(${CMAKE_COMMAND} -S ${SOURCE} -B ${work}/build -G ${GENERATOR}
   -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${work}/moved ${flags})
 run_step(${CMAKE_COMMAND} --build ${work}/build)
-run_step(${work}/build/consumer)
+if(DRAWING)
+  run_step(${work}/build/first ${DRAWING} ${work}/result.c1.json)
+  run_step(${work}/build/field ${work}/result.c1.json)
+  run_step(${work}/build/poisson ${work}/result.c1.json)
+else()
+  run_step(${work}/build/consumer)
+endif()

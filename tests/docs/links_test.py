@@ -6,7 +6,8 @@ import re
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-PAGES = [ROOT / "README.md"] + sorted((ROOT / "docs").glob("*.md"))
+PAGES = ([ROOT / "README.md", ROOT / "CHANGELOG.md"] + sorted((ROOT / "docs").glob("*.md")) +
+         sorted((ROOT / "docs" / "library").glob("*.md")))
 LINK = re.compile(r"\]\(([^)#\s]+)\)|src=\"([^\"]+)\"")
 PATH = re.compile(r"`((?:src|include|tests|docs|examples|cmake)/[\w./-]+)`")
 MADE_LATER = {"docs/corpus.md", "docs/sets.md", "docs/sets.csv"}  # by docs/tables.py

@@ -14,7 +14,7 @@
 #include <set>
 
 #include "bernstein/curve.h"
-#include "mesh/net_blossom.h"
+#include "bernstein/net_blossom.h"
 #include "mesh/shapes.h"
 #include "mesh/topology.h"
 #include "optimise/random_mesh.h"

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "bernstein/net_blossom.h"
 #include "mesh/initial_mesh.h"
-#include "mesh/net_blossom.h"
 
 namespace c1mesh::test {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "bernstein/net_blossom.h"
 #include "mesh/box_pairs.h"
-#include "mesh/net_blossom.h"
 #include "mesh/shapes.h"
 #include "mesh/warp_layer.h"
 

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/net_blossom.h"
+#include "bernstein/net_blossom.h"
 
 namespace c1mesh {
 
-Point blossom(Net net, int degree, const std::vector<Barycentric>& arguments) {
-  // In place: the reduced net of degree m is written over the front of the one of degree m + 1.
-  for (int m = degree - 1; m >= 0; --m) {
-    const Barycentric& w = arguments[degree - 1 - m];
-    int to = 0, row = 0;
-    for (int j = 0; j <= m; ++j) {
-      const int above = row + m + 2 - j;
-      for (int i = 0; i <= m - j; ++i, ++to)
-        net[to] = w[0] * net[row + i] + w[1] * net[row + i + 1] + w[2] * net[above + i];
-      row = above;
-    }
+void reduce_net(Net& net, int n, const Barycentric& argument) {
+  // The shorter net never overtakes what is still to be read of the longer one.
+  int to = 0, row = 0;
+  for (int j = 0; j < n; ++j) {
+    const int above = row + n + 1 - j;
+    for (int i = 0; i < n - j; ++i, ++to)
+      net[to] = argument[0] * net[row + i] + argument[1] * net[row + i + 1] +
+                argument[2] * net[above + i];
+    row = above;
   }
+}
+
+Point blossom(Net net, int degree, const std::vector<Barycentric>& arguments) {
+  for (int n = degree; n > 0; --n) reduce_net(net, n, arguments[degree - n]);
   return net[0];
 }
 

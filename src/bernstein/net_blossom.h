@@ -2,15 +2,21 @@
 // Exact pieces of a Bezier triangle by its blossom (polar form).
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
 #include "bernstein/jacobian.h"
+#include "c1mesh/barycentric.h"
 
 namespace c1mesh {
 
-/// Barycentric coordinates with respect to corners 0, 1, 2 of a net; sum 1.
-using Barycentric = Eigen::Vector3d;
+/// Index of p_ij in a net of degree n.
+inline int net_index(int n, int i, int j) {
+  return j * (n + 1) - j * (j - 1) / 2 + i;
+}
+
+/// One de Casteljau step, in place: the net of degree n becomes the one of degree n - 1 of the map
+/// with one argument of its blossom fixed. What is left of the longer net lies behind it.
+void reduce_net(Net& net, int n, const Barycentric& argument);
 
 /// The blossom of the net of degree n at n arguments: one de Casteljau step per argument. Linear in
 /// each argument, independent of their order, and at n times the same argument the map itself.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/net_blossom.h"
+#include "bernstein/net_blossom.h"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
