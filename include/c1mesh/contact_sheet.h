@@ -11,7 +11,11 @@
 namespace c1mesh {
 
 /// What a cell says of its result's certificate.
-enum class SheetMark { none, certified, not_certified };
+enum class SheetMark {
+  none,           ///< nobody looked
+  certified,      ///< verify() found every item valid
+  not_certified,  ///< it did not
+};
 
 /// A grid of cells, in the order in which they are added: a small picture, below it the name, the
 /// mark, the numbers of exceptional vertices and of triangles, and g. A result is drawn when it is
@@ -25,7 +29,9 @@ class ContactSheet {
   /// `show_control_net`, `colour`, `show_key` and `transparent`.
   ContactSheet(std::size_t count, const DrawOptions& options);
   ~ContactSheet();
+  /// Takes the other sheet's cells.
   ContactSheet(ContactSheet&&) noexcept;
+  /// Takes the other sheet's cells.
   ContactSheet& operator=(ContactSheet&&) noexcept;
 
   /// `metrics` give g; those of the result itself or of its verification.

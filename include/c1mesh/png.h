@@ -6,10 +6,12 @@
 
 namespace c1mesh {
 
-/// The largest pictures in pixels: at most 400 MB while they are painted.
+/// The longest side of a picture, in pixels.
 constexpr double kLongestPngSide = 30000;
+/// The most pixels of a picture: at most 400 MB while they are painted.
 constexpr double kMostPngPixels = 100e6;
 
+/// How a picture becomes pixels.
 struct PngOptions {
   bool transparent = false;  ///< what nothing is painted on stays transparent instead of white
 };
