@@ -120,10 +120,10 @@ std::string zsh_options(const std::vector<OptionModel>& options, const std::stri
   std::string out;
   for (const OptionModel& option : options)
     for (const std::string& name : option.names) {
-      const std::string text = "[" + zsh_text(option.help) + "]";
+      const std::string text = zsh_text(option.help);
       const std::string value = option.flag ? "" : zsh_value(option);
       const char* joined = option.flag ? "" : name.rfind("--", 0) == 0 ? "=" : "+";
-      out += fmt::format("{}'*{}{}{}{}' \\\n", indent, name, joined, text, value);
+      out += fmt::format("{}'*{}{}[{}]{}' \\\n", indent, name, joined, text, value);
     }
   return out;
 }
