@@ -12,6 +12,7 @@
 #include <queue>
 #include <tuple>
 
+#include "base/float_traps.h"
 #include "mesh/straight_cdt.h"
 
 namespace c1mesh::meshing {
@@ -172,13 +173,19 @@ class Refiner {
     const Point a = point_of(f->vertex(ccw(k))), b = point_of(f->vertex(cw(k)));
     const Point c = point_of(f->vertex(k)) - a, e = b - a;
     const double area = cross(e, c);
-    const Point centre(c.y() * e.squaredNorm() - e.y() * c.squaredNorm(),
-                       e.x() * c.squaredNorm() - c.x() * e.squaredNorm());
-    const Point circumcentre = a + centre / (2 * area);
     const Point middle = 0.5 * (a + b);
     const double reach = 0.475 * e.norm() / std::tan(0.5 * least_angle(f));
+    // Rounding may leave no area: then the circumcentre is at infinity, on the side of the sharpest
+    // corner, which is acute.
+    const Point flat = middle + reach * Point(-e.y(), e.x()).normalized();
+    if (!(area > 0)) return flat;
+    const Point centre(c.y() * e.squaredNorm() - e.y() * c.squaredNorm(),
+                       e.x() * c.squaredNorm() - c.x() * e.squaredNorm());
+    const FloatTrapsOff nearly_flat;  // the same for next to none
+    const Point circumcentre = a + centre / (2 * area);
     const Point away = circumcentre - middle;
     const double distance = away.norm();
+    if (!std::isfinite(distance)) return flat;
     return distance > reach ? Point(middle + reach / distance * away) : circumcentre;
   }
 
