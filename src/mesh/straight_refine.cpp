@@ -193,7 +193,10 @@ class Refiner {
   // of the constrained edge that hides p.
   std::pair<Face, int> walk(Face f, const KernelPoint& p) const {
     const KernelPoint from = CGAL::centroid(cdt_.triangle(f));
-    for (Face previous = f;;) {
+    // Where rounding puts the centroid of a sliver beside it the walk may go in circles: no more
+    // than all faces are on a straight line.
+    std::size_t left = cdt_.tds().faces().size();
+    for (Face previous = f; left > 0; --left) {
       int exit = -1;
       for (int k = 0; k < 3 && exit < 0; ++k) {
         if (f->neighbor(k) == previous && previous != f) continue;
@@ -208,6 +211,7 @@ class Refiner {
       previous = f;
       f = f->neighbor(exit);
     }
+    return {f, -1};
   }
 
   void split_constraint(Face f, int k, double size) {
