@@ -5,10 +5,13 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <optional>
 
 #include "c1mesh/cost.h"
+#include "c1mesh/error.h"
 #include "c1mesh/project.h"
 #include "pipeline/assemble.h"
 #include "pipeline/ladder.h"
@@ -55,6 +58,32 @@ void project_outcome(const Shape& shape, Outcome& outcome) {
                                          projection.largest_move));
   outcome.result = projection.result;
   outcome.report = std::move(report);
+}
+
+// A result that rounding to the input's coordinates has spoilt is the input's defect: the map was
+// regular in the normalised frame.
+void refuse_coarse_coordinates(const Shape& shape, const Outcome& outcome) {
+  constexpr double kCoarse = 1e-11;
+  double largest = 0;
+  Point low = shape.curves.at(0).start(), high = low;
+  for (const BezierCurve& curve : shape.curves)
+    for (const Point& p : curve.poles) {
+      largest = std::max(largest, p.cwiseAbs().maxCoeff());
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  const double step = std::numeric_limits<double>::epsilon() * largest / (high - low).maxCoeff();
+  if (outcome.report.regular() || !(step > kCoarse)) return;
+  Defect defect;
+  defect.kind = DefectKind::limit;
+  defect.message = fmt::format(
+      "the coordinates are too coarse: rounding moves points by {:.1e} of the extent, and "
+      "triangles "
+      "of the map would not be regular",
+      step);
+  defect.where = {low, high};
+  defect.remedy = "move the shape towards the origin";
+  throw InputError({defect});
 }
 
 }  // namespace
@@ -113,6 +142,7 @@ Outcome parametrize(const Shape& shape, const Options& options, const Progress& 
   outcome.result = assemble_result(shape, regions, options, degree);
   timer.reset();
   outcome.report = verify(outcome.result, shape, claimed_bounds(outcome.result));
+  refuse_coarse_coordinates(shape, outcome);
   if (options.project) project_outcome(shape, outcome);
   outcome.result.metrics = outcome.report.metrics;
   outcome.seconds = {{"mesh", mesh_seconds},
