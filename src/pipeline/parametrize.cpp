@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/extent.h"
 #include "c1mesh/cost.h"
 #include "c1mesh/error.h"
 #include "c1mesh/project.h"
@@ -63,25 +64,24 @@ void project_outcome(const Shape& shape, Outcome& outcome) {
 // A result that rounding to the input's coordinates has spoilt is the input's defect: the map was
 // regular in the normalised frame.
 void refuse_coarse_coordinates(const Shape& shape, const Outcome& outcome) {
+  if (outcome.report.regular()) return;
   constexpr double kCoarse = 1e-11;
   double largest = 0;
-  Point low = shape.curves.at(0).start(), high = low;
+  std::vector<Point> poles;
   for (const BezierCurve& curve : shape.curves)
     for (const Point& p : curve.poles) {
       largest = std::max(largest, p.cwiseAbs().maxCoeff());
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
+      poles.push_back(p);
     }
-  const double step = std::numeric_limits<double>::epsilon() * largest / (high - low).maxCoeff();
-  if (outcome.report.regular() || !(step > kCoarse)) return;
+  const double step = std::numeric_limits<double>::epsilon() * largest / extent_of(poles);
+  if (!(step > kCoarse)) return;
   Defect defect;
   defect.kind = DefectKind::limit;
   defect.message = fmt::format(
       "the coordinates are too coarse: rounding moves points by {:.1e} of the extent, and "
-      "triangles "
-      "of the map would not be regular",
+      "triangles of the map would not be regular",
       step);
-  defect.where = {low, high};
+  defect.where = {poles.front()};
   defect.remedy = "move the shape towards the origin";
   throw InputError({defect});
 }
