@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "base/hostile_text.h"
+#include "base/read_blocks.h"
 #include "c1mesh/shape.h"
 #include "read/formats.h"
 
@@ -36,16 +37,10 @@ using detail::refuse;
          "split the drawing or raise the limit (--max-bytes)");
 }
 
-// Reads in blocks so that an endless stream stops at the limit rather than filling the memory.
 std::string read_all(std::istream& in, std::size_t max_bytes) {
-  std::string text;
-  std::vector<char> block(1 << 16);
-  while (in) {
-    in.read(block.data(), static_cast<std::streamsize>(block.size()));
-    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
-    if (text.size() > max_bytes) refuse_size(max_bytes);
-  }
-  return text;
+  std::optional<std::string> text = read_at_most(in, max_bytes);
+  if (!text) refuse_size(max_bytes);
+  return std::move(*text);
 }
 
 enum class Format { json, svg, unknown };

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/float_traps.h"
 #include "base/hostile_text.h"
+#include "base/read_blocks.h"
 #include "c1mesh/certificate.h"
 #include "c1mesh/error.h"
 
@@ -239,9 +239,11 @@ Certificate parse_certificate(const std::string& text) {
 Certificate read_certificate(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError("cannot open " + path + ": " + std::strerror(errno));
-  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  constexpr std::size_t kMostBytes = 200'000'000;  // as for results
+  const std::optional<std::string> text = read_at_most(file, kMostBytes);
+  if (!text) fail(fmt::format("is larger than {} bytes", kMostBytes));
   if (file.bad()) throw FileError("cannot read " + path);
-  return parse_certificate(text);
+  return parse_certificate(*text);
 }
 
 }  // namespace c1mesh

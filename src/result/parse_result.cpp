@@ -13,6 +13,7 @@
 
 #include "base/float_traps.h"
 #include "base/hostile_text.h"
+#include "base/read_blocks.h"
 #include "c1mesh/error.h"
 #include "c1mesh/result.h"
 
@@ -292,18 +293,12 @@ Result read_result(const std::string& path, std::size_t max_bytes) {
   if (std::filesystem::is_directory(path, ignored)) throw FileError(path + " is a directory");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError("cannot open " + path + ": " + std::strerror(errno));
-  // In blocks: what has no end stops at the limit.
-  std::string text;
-  std::vector<char> block(1 << 16);
-  while (file) {
-    file.read(block.data(), static_cast<std::streamsize>(block.size()));
-    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > max_bytes)
-      fail(fmt::format("the file is larger than {} bytes", max_bytes), DefectKind::limit,
-           "raise the limit (--max-bytes), if it is a result");
-  }
+  const std::optional<std::string> text = read_at_most(file, max_bytes);
+  if (!text)
+    fail(fmt::format("the file is larger than {} bytes", max_bytes), DefectKind::limit,
+         "raise the limit (--max-bytes), if it is a result");
   if (file.bad()) throw FileError("cannot read " + path);
-  return parse_result(text, name_from(path));
+  return parse_result(*text, name_from(path));
 }
 
 }  // namespace c1mesh
