@@ -6,16 +6,10 @@
 namespace c1mesh::app {
 namespace {
 
-/// "{a,b}" -> a, b; "value in {a->0,b->1} OR {0,1}" -> a, b; else none.
+/// "{a,b}" -> a, b; else none.
 std::vector<std::string> choices_in(const std::string& range) {
-  const std::string mapped = "value in {";
-  const bool is_map = range.rfind(mapped, 0) == 0;
-  if (!is_map && range.rfind('{', 0) != 0) return {};
-  const std::size_t begin = range.find('{') + 1, end = range.find('}');
-  std::vector<std::string> out;
-  for (std::string word : CLI::detail::split(range.substr(begin, end - begin), ','))
-    out.push_back(word.substr(0, word.find("->")));
-  return out;
+  if (range.rfind('{', 0) != 0) return {};
+  return CLI::detail::split(range.substr(1, range.find('}') - 1), ',');
 }
 
 OptionModel model_of(const CLI::Option& option) {

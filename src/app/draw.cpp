@@ -12,6 +12,7 @@
 
 #include "app/command.h"
 #include "app/contact_sheet.h"
+#include "app/validators.h"
 #include "c1mesh/error.h"
 #include "c1mesh/png.h"
 #include "c1mesh/shape.h"
@@ -200,11 +201,10 @@ Command add_draw(CLI::App& app) {
   cli->add_option("--width", options.width, "Width of the picture in pixels")
       ->capture_default_str()
       ->check(CLI::Range(64, 100000));
-  cli->add_option("--parts", options.parts,
-                  "Panels of a result, of outline, mesh, shape and domain: shape,domain")
+  cli->add_option("--parts", options.parts, "Panels of a result; without it shape,domain")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->transform(CLI::CheckedTransformer(kParts).description(""));
+      ->transform(one_of(kParts));
   cli->add_option("--columns", options.columns, "Results side by side, the others below")
       ->capture_default_str()
       ->check(CLI::Range(1, 100));
@@ -222,8 +222,8 @@ Command add_draw(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::Range(0, 1000));
   cli->add_option("--colour", options.colour,
-                  "Fill by none, distortion, c1-deviation (both with a legend) or checkerboard")
-      ->transform(CLI::CheckedTransformer(kColours).description(""));
+                  "Fill the triangles; distortion and c1-deviation with a legend")
+      ->transform(one_of(kColours));
   cli->add_flag("--no-mesh", arguments->no_mesh, "Leave the triangles' edges out");
   cli->add_flag("--control-net", options.show_control_net, "Show the control points");
   cli->add_flag("--no-key", arguments->no_key, "Leave out what explains lines and dots");

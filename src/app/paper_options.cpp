@@ -54,8 +54,7 @@ CLI::Option* add_per_phase(CLI::App& cli, const std::string& name, Number (&valu
 void add_paper_options(CLI::App& cli, Options& options) {
   PaperOptions& paper = options.paper;
   cli.add_option("--method", options.method, "exact, or paper: Khanteimouri & Campen's two phases")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Method>{{"exact", Method::exact}, {"paper", Method::paper}}))
+      ->transform(one_of<Method>({{"exact", Method::exact}, {"paper", Method::paper}}))
       ->default_str("exact");
   cli.add_option("--repeat", options.repeat, "How often phases one and two are run")
       ->capture_default_str()
@@ -87,16 +86,15 @@ void add_paper_options(CLI::App& cli, Options& options) {
                 at_least(1, 1e6));
   cli.add_option("--straighten", paper.straightening,
                  "Near-flat vertices are moved orthogonally, or to the fractions C1 asks for")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Straightening>{
-          {"orthogonal", Straightening::orthogonal}, {"fractions", Straightening::fractions}}))
+      ->transform(one_of<Straightening>(
+          {{"orthogonal", Straightening::orthogonal}, {"fractions", Straightening::fractions}}))
       ->default_str("orthogonal")
       ->group(kGroup);
   cli.add_option("--last-stage", paper.last_stage,
                  "End earlier, with a result that claims C1 nowhere: initial, one or two")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, PaperStage>{{"initial", PaperStage::initial},
-                                            {"one", PaperStage::phase_one},
-                                            {"two", PaperStage::phase_two}}))
+      ->transform(one_of<PaperStage>({{"initial", PaperStage::initial},
+                                      {"one", PaperStage::phase_one},
+                                      {"two", PaperStage::phase_two}}))
       ->default_str("two")
       ->group(kGroup);
 }

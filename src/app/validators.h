@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ranges of numbers on the command line.
+// Ranges of numbers and sets of names on the command line.
 #pragma once
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <limits>
+#include <map>
+#include <string>
 
 namespace c1mesh::app {
 
@@ -30,6 +32,14 @@ inline CLI::Validator above(double least) {
             return number && value > least ? "" : "must be a number " + range;
           },
           range, "above"};
+}
+
+// The help and the completions say the names, not the numbers behind them.
+template <class Enum>
+CLI::Validator one_of(const std::map<std::string, Enum>& choices) {
+  std::string names;
+  for (const auto& choice : choices) names += (names.empty() ? "" : ",") + choice.first;
+  return CLI::CheckedTransformer(choices).description("{" + names + "}");
 }
 
 }  // namespace c1mesh::app

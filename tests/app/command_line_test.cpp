@@ -24,7 +24,7 @@ bool contains(const std::string& text, const std::string& part) {
 TEST(CommandLine, HelpOfEveryCommandGoesToStandardOutput) {
   const Folder folder;
   for (const char* command : {"", "run", "batch", "check", "verify", "project", "draw", "convert",
-                              "generate", "evaluate"}) {
+                              "generate", "evaluate", "manual", "completion"}) {
     const Ran ran = folder.run(std::string(command) + " --help");
     EXPECT_EQ(ran.status, 0) << command;
     EXPECT_TRUE(contains(ran.out, "Usage: c1mesh")) << command;
