@@ -18,6 +18,9 @@
 namespace c1mesh {
 namespace {
 
+// The end of a large mesh's search.
+struct IterationsSpent {};
+
 // A mesh and what its boundary does; rungs that refine work on another one.
 struct Variant {
   CurvedMesh mesh;
@@ -38,35 +41,50 @@ struct Best {
 class Ladder {
  public:
   Ladder(const CurvedMesh& initial, const Options& options, const Checkpoint& checkpoint,
-         const Roles& start)
+         const Roles& start, const SearchLimits& limits)
       : options_(options),
-        checkpoint_(checkpoint.marked([this](TraceRecord& record) { record.pass = pass_; })),
+        limits_(limits),
+        checkpoint_(bounded(checkpoint.marked([this](TraceRecord& r) { r.pass = pass_; }))),
         bound_(options.alpha * options.mips_bound),
         coarse_{initial, find_joints(initial, options.corner_angle), {}},
         first_roles_(start) {}
 
   RegionSolution climb() {
     RegionSolution out;
-    if (coarse_.mesh.triangle_count() > kSearchable) {
+    if (coarse_.mesh.triangle_count() > limits_.searchable) {
       write(out);
       out.remedies.push_back(
-          fmt::format("more than {} triangles: no search for a C1 map", kSearchable));
+          fmt::format("more than {} triangles: no search for a C1 map", limits_.searchable));
       return out;
     }
     try {
       search();
-      if (!best_.found) release_joints();
+      if (!best_.found && many_tries()) release_joints();
       if (satisfied()) restore();
       if (best_.found) polish();
-      if (!best_.found) last_resort();
+      if (!best_.found && many_tries()) last_resort();
     } catch (const TimeLimitReached&) {
       out.interrupted = true;
+    } catch (const IterationsSpent&) {
+      out.remedies.push_back(fmt::format("more than {} triangles: no search beyond {} iterations",
+                                         limits_.tried_often, limits_.iterations));
     }
     write(out);
     return out;
   }
 
  private:
+  // The same with a bound for the one try of a large mesh: it is near from the start or far for
+  // ever, and its iterations take long.
+  Checkpoint bounded(Checkpoint checkpoint) {
+    checkpoint.stop = [this, stop = checkpoint.stop] {
+      if (stop) stop();
+      if (!many_tries() && ++iterations_ > limits_.iterations) throw IterationsSpent{};
+    };
+    return checkpoint;
+  }
+
+  bool many_tries() const { return coarse_.mesh.triangle_count() <= limits_.tried_often; }
   bool satisfied() const { return best_.found && best_.attempt.g <= bound_; }
   // The search ends when the work done exceeds this many triangle-attempts: a bound that does not
   // depend on the clock, so that results repeat.
@@ -156,11 +174,13 @@ class Ladder {
   void begin_pass() {
     if (!placing_) ++pass_;
     placing_ = false;
+    iterations_ = 0;
   }
 
   void solve_placed(const Roles& roles, const DomainOptions& settings, DomainReport& report) {
     if (!placing_) ++pass_;
     placing_ = true;
+    iterations_ = 0;
     solve_domain(coarse_.mesh, coarse_.joints, roles, settings, report,
                  traced_domain(traced_roles(checkpoint_, coarse_.joints, roles), "placement",
                                coarse_.mesh, coarse_.joints, roles));
@@ -192,7 +212,7 @@ class Ladder {
     while (count_exceptional(roles) < options_.exceptional && add_corner(roles)) {
     }
     first_roles_ = roles;
-    if (attempt(coarse_, roles, {30}, "")) return;
+    if (attempt(coarse_, roles, {30}, "") || !many_tries()) return;
     if (!last_.success && attempt(coarse_, roles, {30, true}, "loose joint stage")) return;
     if (attempt(coarse_, roles, {300}, "wedge weight 300")) return;
     Variant* last = &coarse_;
@@ -398,9 +418,9 @@ class Ladder {
   }
 
   static constexpr long kWork = 12000;
-  static constexpr int kSearchable = 20000;
   static constexpr int kRefinable = 300;  // larger meshes are not refined as a whole
   const Options& options_;
+  const SearchLimits limits_;
   const Checkpoint checkpoint_;
   double bound_;
   Variant coarse_;
@@ -411,6 +431,7 @@ class Ladder {
   bool gave_up_ = false;
   long work_ = 0;
   int attempts_ = 0;
+  int iterations_ = 0;    // of a try, or of a placement; counted for large meshes alone
   int pass_ = 0;          // counts the attempts, for a trace
   bool placing_ = false;  // the pass has begun, its attempt has not
 };
@@ -418,8 +439,9 @@ class Ladder {
 }  // namespace
 
 RegionSolution solve_region(const CurvedMesh& initial, const Options& options,
-                            const Checkpoint& checkpoint, const Roles& start) {
-  return Ladder(initial, options, checkpoint, start).climb();
+                            const Checkpoint& checkpoint, const Roles& start,
+                            const SearchLimits& limits) {
+  return Ladder(initial, options, checkpoint, start, limits).climb();
 }
 
 }  // namespace c1mesh

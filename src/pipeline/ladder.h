@@ -24,10 +24,19 @@ struct RegionSolution {
   bool interrupted = false;  ///< the time limit cut the search short
 };
 
+/// How much is tried on large meshes, in triangles of the initial mesh.
+struct SearchLimits {
+  int searchable = 100000;  ///< larger ones have no search for a C1 map; these take up to 5 GiB
+  int tried_often =
+      20000;             ///< larger ones have one try: what follows a failed one is in vain mostly
+  int iterations = 300;  ///< of that one try; three times what it takes where it succeeds
+};
+
 /// `bound`: g asked for (alpha mu). The checkpoint may throw TimeLimitReached, after which the best
 /// valid state so far is returned, or anything else, which is passed on. `start`, if not empty:
 /// roles to which exceptional vertices are added, the first roles of a solution with fewer.
 RegionSolution solve_region(const CurvedMesh& initial, const Options& options,
-                            const Checkpoint& checkpoint, const Roles& start = {});
+                            const Checkpoint& checkpoint, const Roles& start = {},
+                            const SearchLimits& limits = {});
 
 }  // namespace c1mesh
