@@ -75,6 +75,12 @@ def circle(x, y, r, clockwise=False):
     return [c[::-1] for c in curves[::-1]] if clockwise else curves
 
 
+def saw(count):
+    """Short teeth over one edge as long as all of them: vertices with thousands of triangles, at first."""
+    points = [[i, i % 2] for i in range(count - 2)] + [[count - 3, -5], [0, -5]]
+    return [[p, q] for p, q in zip(points, points[1:] + points[:1])]
+
+
 def places(count):
     side = max(1, math.ceil(math.sqrt(count)))
     return side, [(i % side + .5, i // side + .5) for i in range(count)]
@@ -118,7 +124,7 @@ def network(count):
     return curves
 
 
-FAMILIES = {f.__name__: f for f in (comb, coast, holes, discs, network)}
+FAMILIES = {f.__name__: f for f in (comb, coast, saw, holes, discs, network)}
 
 
 def write_shape(path, curves):

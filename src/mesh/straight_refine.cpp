@@ -37,9 +37,9 @@ bool share_line(Vertex a, Vertex b) {
 
 // A bad face in the queue, worst first; stale once its vertices no longer form a face.
 struct Candidate {
-  double cosine;  // of the smallest angle
-  long order;     // of insertion: breaks ties the same way in every run
-  std::array<Vertex, 3> corners;
+  double cosine;                  // of the smallest angle
+  long order;                     // of insertion: breaks ties the same way in every run
+  std::array<Vertex, 3> corners;  // the shortest edge first
   bool operator<(const Candidate& other) const {
     return std::tie(cosine, other.order) < std::tie(other.cosine, order);
   }
@@ -62,8 +62,7 @@ class Refiner {
         if (stop_ && budget % kGlance == 0) stop_();
         const Candidate worst = queue_.top();
         queue_.pop();
-        Face face;
-        if (cdt_.is_face(worst.corners[0], worst.corners[1], worst.corners[2], face)) improve(face);
+        if (const auto face = face_of(worst.corners)) improve(*face);
       }
       if (!separate_boundary(budget)) break;
     }
@@ -72,6 +71,30 @@ class Refiner {
  private:
   static int ccw(int k) { return Triangulation::ccw(k); }
   static int cw(int k) { return Triangulation::cw(k); }
+
+  // The edge, with the face on the right of a -> b. Looked for around both ends by turns: one of
+  // them may have thousands of faces.
+  static std::optional<Triangulation::Edge> edge_between(Vertex a, Vertex b) {
+    const Face start_a = a->face(), start_b = b->face();
+    for (Face f = start_a, g = start_b;;) {
+      const int i = f->index(a), j = g->index(b);
+      if (f->vertex(cw(i)) == b) return Triangulation::Edge(f, ccw(i));
+      if (g->vertex(ccw(j)) == a) return Triangulation::Edge(g, cw(j));
+      f = f->neighbor(cw(i));
+      g = g->neighbor(cw(j));
+      if (f == start_a || g == start_b) return std::nullopt;
+    }
+  }
+
+  std::optional<Face> face_of(const std::array<Vertex, 3>& corners) const {
+    const auto edge = edge_between(corners[0], corners[1]);
+    if (!edge) return std::nullopt;
+    const auto& [f, k] = *edge;
+    if (f->vertex(k) == corners[2]) return f;
+    const Face other = f->neighbor(k);
+    const bool found = other->vertex(cdt_.mirror_index(f, k)) == corners[2];
+    return found ? std::optional(other) : std::nullopt;
+  }
 
   // The corner with the smallest angle (opposite the shortest edge).
   static int sharpest(Face f) {
@@ -96,7 +119,7 @@ class Refiner {
     const double cosine = cosine_at(point_of(f->vertex(k)), point_of(a), point_of(b));
     if (cosine <= std::cos(least_angle(f))) return;
     if (is_given(f, k)) return;
-    queue_.push({cosine, ++order_, {f->vertex(0), f->vertex(1), f->vertex(2)}});
+    queue_.push({cosine, ++order_, {a, b, f->vertex(k)}});
   }
 
   // Small angles that no refinement can mend: between two constraints, or across such an angle,
@@ -343,9 +366,9 @@ class Refiner {
       }
     bool any = false;
     for (const auto& [a, b] : joining) {
-      Face f;
-      int k;
-      if (!cdt_.is_edge(a, b, f, k)) continue;
+      const auto edge = edge_between(a, b);
+      if (!edge) continue;
+      const auto& [f, k] = *edge;
       --budget;
       const Point middle = 0.5 * (point_of(a) + point_of(b));
       const int inside = warp_of(f, segments_);
