@@ -269,11 +269,13 @@ TEST(Picture, LargePicturesAreEnlargedAndSmallOnesStayReadable) {
   options.width = 3000;
   const std::string large = draw_svg(result, options);
   EXPECT_EQ(after_header(large), after_header(usual));  // the same drawing, 2.5 times as large
-  const auto root = parsed(large).child("svg");
+  const auto large_doc = parsed(large);
+  const auto root = large_doc.child("svg");
   EXPECT_EQ(root.attribute("width").as_double(), 3000);
   EXPECT_EQ(std::string(root.attribute("viewBox").value()).substr(0, 8), "0 0 1200");
   options.width = 300;
-  const auto small = parsed(draw_svg(result, options)).child("svg");
+  const auto small_doc = parsed(draw_svg(result, options));
+  const auto small = small_doc.child("svg");
   EXPECT_EQ(small.attribute("width").as_double(), 300);
   EXPECT_EQ(std::string(small.attribute("viewBox").value()).substr(0, 7), "0 0 400");
   for (const double width : {300.0, 3000.0}) {
