@@ -16,12 +16,20 @@ namespace c1mesh {
 namespace {
 
 // vtkCellType.h
-constexpr int kLagrangeCurve = 68, kLagrangeTriangle = 69, kBezierCurve = 75, kBezierTriangle = 76;
+constexpr int kPolyLine = 4, kLagrangeTriangle = 69, kBezierCurve = 75, kBezierTriangle = 76;
 
 struct Cell {
   int type, edge_kind, triangle;
   std::vector<int> points;
 };
+
+// An edge's interpolation nodes from end to end, for straight pieces: where VTK 9.1 and 9.2
+// (ParaView 5.11) subdivide a surface, they crash at a Lagrange curve or a cubic line in it.
+std::vector<int> nodes_along(const PiecewiseMap& map, int t, int k) {
+  std::vector<int> out;
+  for (int s = 0; s <= map.result().degree; ++s) out.push_back(map.control_id(t, k, s, 0));
+  return out;
+}
 
 std::vector<Cell> cells_of(const PiecewiseMap& map, const std::vector<DrawnEdge>& edges,
                            VtuCells kind) {
@@ -31,8 +39,9 @@ std::vector<Cell> cells_of(const PiecewiseMap& map, const std::vector<DrawnEdge>
     cells.push_back({bezier ? kBezierTriangle : kLagrangeTriangle, 0, t, triangle_nodes(map, t)});
   for (const DrawnEdge& e : edges)
     if (e.kind != EdgeKind::smooth)
-      cells.push_back({bezier ? kBezierCurve : kLagrangeCurve, static_cast<int>(e.kind),
-                       e.triangle[0], edge_nodes(map, e.triangle[0], e.corner[0])});
+      cells.push_back({bezier ? kBezierCurve : kPolyLine, static_cast<int>(e.kind), e.triangle[0],
+                       bezier ? edge_nodes(map, e.triangle[0], e.corner[0])
+                              : nodes_along(map, e.triangle[0], e.corner[0])});
   return cells;
 }
 
