@@ -5,13 +5,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <string>
 
 namespace c1mesh::app {
 
-// CLI::Range lets "nan" through.
+// CLI::Range lets "nan" through. No comparison with it: that is an invalid operation.
 inline CLI::Validator at_least(double least, double most = std::numeric_limits<double>::max()) {
   const bool open = most == std::numeric_limits<double>::max();
   const std::string range =
@@ -19,7 +20,9 @@ inline CLI::Validator at_least(double least, double most = std::numeric_limits<d
   return {[=](const std::string& text) {
             double value = 0;
             const bool number = CLI::detail::lexical_cast(text, value);
-            return number && value >= least && value <= most ? "" : "must be a number " + range;
+            return number && !std::isnan(value) && value >= least && value <= most
+                       ? ""
+                       : "must be a number " + range;
           },
           range, "at_least"};
 }
@@ -29,7 +32,7 @@ inline CLI::Validator above(double least) {
   return {[=](const std::string& text) {
             double value = 0;
             const bool number = CLI::detail::lexical_cast(text, value);
-            return number && value > least ? "" : "must be a number " + range;
+            return number && !std::isnan(value) && value > least ? "" : "must be a number " + range;
           },
           range, "above"};
 }

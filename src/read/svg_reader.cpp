@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/float_traps.h"
 #include "read/basic_shapes.h"
 #include "read/formats.h"
 #include "read/svg_document.h"
@@ -56,6 +57,8 @@ class SvgReader {
   }
 
   std::vector<Drawing> read() {
+    // Sizes and transforms may take coordinates out of range: refused as not finite, later.
+    const FloatTrapsOff overflow;
     SvgWalk walk(document_, options_, [this](const Drawn& drawn) { draw(drawn); });
     walk.run();
     if (drawings_.empty()) refuse_empty(walk);
