@@ -74,7 +74,7 @@ std::string format_certificate(const Certificate& certificate);
 /// Throws InputError if the text is no certificate.
 Certificate parse_certificate(const std::string& text);
 
-/// Throws FileError too.
-Certificate read_certificate(const std::string& path);
+/// Throws FileError too, and InputError (limit) if the file is larger than `max_bytes`.
+Certificate read_certificate(const std::string& path, std::size_t max_bytes = 200'000'000);
 
 }  // namespace c1mesh

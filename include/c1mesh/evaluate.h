@@ -101,7 +101,9 @@ Series make_series(const std::string& label, std::vector<ShapeEvaluation> shapes
 /// lies beside. A log without result is a shape that failed. A file that cannot be read or used is
 /// an `unreadable` shape, not an exception. Throws FileError if the folder cannot be read or holds
 /// neither results nor logs. `threads`: 0 for as many as cores; the series does not depend on it.
-Series evaluate_folder(const std::string& folder, const std::string& label, int threads = 0);
+/// `max_bytes`: a larger result is unreadable.
+Series evaluate_folder(const std::string& folder, const std::string& label, int threads = 0,
+                       std::size_t max_bytes = 200'000'000);
 
 /// What a table or a picture is made of.
 struct Evaluation {

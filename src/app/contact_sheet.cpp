@@ -34,7 +34,7 @@ std::string without_path(std::string text, const std::string& path) {
 }
 
 void add_result(ContactSheet& sheet, const SheetArguments& arguments, const std::string& path) {
-  const Result result = read_result(path);
+  const Result result = read_result(path, arguments.max_bytes);
   if (arguments.no_verify) return sheet.add(result, name_of(path), result.metrics, SheetMark::none);
   const VerifyReport report = verify(result, claimed_bounds(result));
   sheet.add(result, name_of(path), report.metrics,

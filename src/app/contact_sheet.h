@@ -7,6 +7,7 @@
 
 #include "app/console.h"
 #include "app/status.h"
+#include "c1mesh/shape.h"
 #include "c1mesh/write.h"
 
 namespace c1mesh::app {
@@ -16,6 +17,7 @@ struct SheetArguments {
   std::string output;
   int per_page = 0;  ///< 0: one page
   bool no_verify = false;
+  std::size_t max_bytes = ReadOptions().max_bytes;  ///< of a file
   DrawOptions options;
 };
 

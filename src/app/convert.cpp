@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/limits.h"
 #include "c1mesh/write.h"
 
 namespace c1mesh::app {
@@ -15,6 +16,7 @@ struct ConvertArguments {
   std::string result, output;
   bool lagrange = false;
   ConvertOptions options;
+  std::size_t max_bytes = ReadOptions().max_bytes;  // of the result
 };
 
 // Refused with the command line, before anything is read.
@@ -40,10 +42,11 @@ Command add_convert(CLI::App& app) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* cli = app.add_subcommand("convert", "Write a result in another format, by extension");
   cli->add_option("RESULT", arguments->result, "NAME.c1.json")->required();
-  cli->add_option("-o,--output", arguments->output,
-                  "NAME.vtu (VTK), NAME.msh (Gmsh), NAME.mesh (MFEM), NAME.obj, NAME.svg, "
-                  "NAME.png, NAME.html (a page to explore it) or NAME.json; NAME.domain.vtu, .domain.msh, "
-                  ".domain.mesh: the domain mesh")
+  cli->add_option(
+         "-o,--output", arguments->output,
+         "NAME.vtu (VTK), NAME.msh (Gmsh), NAME.mesh (MFEM), NAME.obj, NAME.svg, "
+         "NAME.png, NAME.html (a page to explore it) or NAME.json; NAME.domain.vtu, .domain.msh, "
+         ".domain.mesh: the domain mesh")
       ->required()
       ->check(check_extension);
   cli->add_flag("--lagrange", arguments->lagrange,
@@ -52,13 +55,14 @@ Command add_convert(CLI::App& app) {
                   ".obj: straight pieces along each edge")
       ->capture_default_str()
       ->check(CLI::Range(1, 256));
+  add_byte_limit(*cli, arguments->max_bytes);
   cli->final_callback([arguments, cli] {
     check_options(*cli, arguments->output);
     if (arguments->lagrange) arguments->options.cells = VtuCells::lagrange;
   });
   return {cli, [arguments](Console& console) {
             return guarded(console, arguments->result, [&] {
-              const Result result = read_result(arguments->result);
+              const Result result = read_result(arguments->result, arguments->max_bytes);
               deliver(arguments->output, convert(result, arguments->output, arguments->options));
               return Status::ok;
             });

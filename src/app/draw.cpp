@@ -12,6 +12,7 @@
 
 #include "app/command.h"
 #include "app/contact_sheet.h"
+#include "app/limits.h"
 #include "app/validators.h"
 #include "c1mesh/error.h"
 #include "c1mesh/png.h"
@@ -31,15 +32,16 @@ struct DrawArguments {
   std::string shape;  // of a trace; empty: the first
   int region = -1;    // of that shape; -1: the first
   DrawOptions options;
+  std::size_t max_bytes = ReadOptions().max_bytes;  // of a file
 };
 
 // The text of a trace; nothing if the file is none. What can be read only once is taken by its
 // name.
-std::optional<std::string> trace_text(const std::string& path) {
+std::optional<std::string> trace_text(const std::string& path, std::size_t max_bytes) {
   std::error_code ignored;
   const bool named = path.ends_with(".jsonl");
   if (!named && !std::filesystem::is_regular_file(path, ignored)) return {};
-  const std::string text = read_bytes(path, ReadOptions{}.max_bytes);
+  const std::string text = read_bytes(path, max_bytes);
   return named || is_trace(text) ? std::optional(text) : std::nullopt;
 }
 
@@ -86,7 +88,7 @@ Status draw_results(Console& console, const DrawArguments& arguments) {
   std::vector<Result> results;
   for (const std::string& path : paths) {
     const Status status = guarded(console, path, [&] {
-      results.push_back(read_result(path));
+      results.push_back(read_result(path, arguments.max_bytes));
       return Status::ok;
     });
     if (status != Status::ok) return status;
@@ -109,6 +111,7 @@ Status draw(Console& console, const DrawArguments& arguments) {
     SheetArguments sheets = arguments.sheets;
     sheets.inputs = arguments.inputs;
     sheets.output = arguments.output;
+    sheets.max_bytes = arguments.max_bytes;
     sheets.options = arguments.options;
     sheets.options.show_key = !arguments.no_key;
     return draw_sheets(console, sheets);
@@ -118,7 +121,7 @@ Status draw(Console& console, const DrawArguments& arguments) {
   const Status status = guarded(console, first, [&] {
     if (arguments.titles.size() > arguments.inputs.size())
       throw std::invalid_argument("there are more --titles than results");
-    if (arguments.inputs.size() == 1) trace = trace_text(first);
+    if (arguments.inputs.size() == 1) trace = trace_text(first, arguments.max_bytes);
     if (trace)
       deliver_picture(arguments, plot(arguments, *trace));
     else if (!arguments.shape.empty() || arguments.region >= 0)
@@ -240,6 +243,7 @@ Command add_draw(CLI::App& app) {
   cli->add_option("--shape", arguments->shape, "Of a trace: this shape instead of the first");
   cli->add_option("--region", arguments->region, "Of a trace: this region, counted from 0")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""));
+  add_byte_limit(*cli, arguments->max_bytes);
   cli->footer(kDrawFooter + app.get_footer());
   cli->final_callback([arguments, cli] { check_options(*cli, *arguments); });
   return {cli, [arguments](Console& console) { return draw(console, *arguments); }};

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/limits.h"
 
 namespace c1mesh::app {
 namespace {
@@ -16,6 +17,7 @@ struct EvaluateArguments {
   std::vector<std::string> folders, compared, labels;
   std::string output;
   int threads = 0;
+  std::size_t max_bytes = ReadOptions().max_bytes;
 };
 
 /// The folder's own name, also of "." and of "folder/".
@@ -67,7 +69,7 @@ Status evaluate_folders(Console& console, const EvaluateArguments& arguments) {
   OutputNames labels;
   Status status = Status::ok;
   const auto read = [&](const std::string& folder, const std::string& label) {
-    Series series = evaluate_folder(folder, label, arguments.threads);
+    Series series = evaluate_folder(folder, label, arguments.threads, arguments.max_bytes);
     console.detail(fmt::format("{}: {} shapes, {} without a usable result", printable(folder),
                                series.summary.shapes, series.summary.failures()));
     status = worse(status, say_unreadable(console, folder, series));
@@ -111,6 +113,7 @@ Command add_evaluate(CLI::App& app) {
                   "0: as many as cores; results do not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(0, 4096));
+  add_byte_limit(*cli, arguments->max_bytes);
   return {cli, [arguments](Console& console) { return evaluate_folders(console, *arguments); }};
 }
 

@@ -13,8 +13,8 @@ extern "C" void omp_set_max_active_levels(int) __attribute__((weak));
 
 namespace c1mesh::app {
 
-void add_byte_limit(CLI::App& cli, ReadOptions& options) {
-  cli.add_option("--max-bytes", options.max_bytes, "Larger files are refused")
+void add_byte_limit(CLI::App& cli, std::size_t& max_bytes) {
+  cli.add_option("--max-bytes", max_bytes, "Larger files are refused")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000'000}).description(""));
 }
@@ -22,7 +22,7 @@ void add_byte_limit(CLI::App& cli, ReadOptions& options) {
 void add_read_limits(CLI::App& cli, ReadOptions& options) {
   // More levels would need more stack than a program has by default.
   constexpr int kDeepest = 1000;
-  add_byte_limit(cli, options);
+  add_byte_limit(cli, options.max_bytes);
   cli.add_option("--max-curves", options.max_curves, "Drawings of more curves are refused")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}).description(""));

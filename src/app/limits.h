@@ -12,7 +12,7 @@ namespace c1mesh::app {
 void add_read_limits(CLI::App& cli, ReadOptions& options);
 
 /// --max-bytes alone, for what is no drawing.
-void add_byte_limit(CLI::App& cli, ReadOptions& options);
+void add_byte_limit(CLI::App& cli, std::size_t& max_bytes);
 
 /// --memory-limit in MB of address space; 0: none. `whose`: "for each process" and the like.
 void add_memory_limit(CLI::App& cli, double& megabytes, const char* whose);

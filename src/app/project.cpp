@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/limits.h"
 #include "app/summary.h"
 #include "app/validators.h"
 #include "c1mesh/verify.h"
@@ -18,11 +19,13 @@ struct ProjectArguments {
   std::vector<std::string> results;
   std::string folder;
   double conformance_bound = 1e-4;
+  std::size_t max_bytes = ReadOptions().max_bytes;
 };
 
 Status project_file(Console& console, const ProjectArguments& arguments, OutputNames& names,
                     const std::string& path) {
-  Projection projection = project(read_result(path), arguments.conformance_bound);
+  Projection projection =
+      project(read_result(path, arguments.max_bytes), arguments.conformance_bound);
   const VerifyReport report = verify(projection.result, claimed_bounds(projection.result));
   if (!report.regular()) {
     console.say(fmt::format("{}: the projection inverts triangles; nothing was written\n{}",
@@ -67,6 +70,7 @@ Command add_project(CLI::App& app) {
                   "How far the boundary may go, relative to the larger side of the shape")
       ->capture_default_str()
       ->check(above(0));
+  add_byte_limit(*cli, arguments->max_bytes);
   return {cli, [arguments](Console& console) { return project_files(console, *arguments); }};
 }
 

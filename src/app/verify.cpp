@@ -36,7 +36,8 @@ Shape input_shape(const VerifyArguments& arguments, const Result& result) {
 VerifyReport examine(const VerifyArguments& arguments, const Result& result) {
   const VerifyOptions bounds = claimed_bounds(result);
   if (!arguments.certificate.empty())
-    return recheck(result, read_certificate(arguments.certificate), bounds);
+    return recheck(result, read_certificate(arguments.certificate, arguments.read.max_bytes),
+                   bounds);
   if (arguments.input.empty()) return verify(result, bounds);
   return verify(result, input_shape(arguments, result), bounds);
 }

@@ -31,7 +31,7 @@ struct Names {
   std::set<std::string> results, logs;
 };
 
-/// Files only, hidden ones left out: a file that is being written has a hidden name.
+/// Regular files only, hidden ones left out: a file that is being written has a hidden name.
 Names names_in(const std::string& folder) {
   Names out;
   std::error_code error;
@@ -39,7 +39,7 @@ Names names_in(const std::string& folder) {
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     const std::string file = entry->path().filename().string();
     std::error_code ignored;
-    if (file.front() == '.' || entry->is_directory(ignored)) continue;
+    if (file.front() == '.' || !entry->is_regular_file(ignored)) continue;
     const auto add = [&](std::set<std::string>& names, const std::string& ending) {
       if (file.size() > ending.size() && file.ends_with(ending))
         names.insert(file.substr(0, file.size() - ending.size()));
@@ -73,7 +73,9 @@ std::optional<Number> number_after(const std::string& key, const std::string& li
 
 Log read_log(const std::string& path) {
   Log out;
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  constexpr std::streamoff kEnd = 1 << 16;  // bytes: what comes before is the run's own messages
+  file.seekg(std::max<std::streamoff>(file.tellg() - std::streamoff(kEnd), 0));
   for (std::string line; std::getline(file, line);) {
     if (const auto status = number_after<int>("STATUS ", line)) out.status = status;
     if (const auto seconds = number_after<double>("WALL ", line)) out.seconds = seconds;
@@ -126,10 +128,10 @@ std::vector<Job> jobs_in(const std::string& folder, const Names& names) {
   return jobs;
 }
 
-ShapeEvaluation evaluate_file(const std::string& path) {
+ShapeEvaluation evaluate_file(const std::string& path, std::size_t max_bytes) {
   ShapeEvaluation out;
   try {
-    return evaluate(read_result(path));
+    return evaluate(read_result(path, max_bytes));
   } catch (const InputError& error) {
     out.fault = error.what();
   } catch (const FileError& error) {
@@ -148,15 +150,16 @@ ShapeEvaluation without_result(const Log& log) {
 
 }  // namespace
 
-Series evaluate_folder(const std::string& folder, const std::string& label, int threads) {
+Series evaluate_folder(const std::string& folder, const std::string& label, int threads,
+                       std::size_t max_bytes) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   threads > 0 ? threads : tbb::info::default_concurrency());
   const std::vector<Job> jobs = jobs_in(folder, names_in(folder));
   std::vector<ShapeEvaluation> shapes(jobs.size());
   const auto one = [&](std::size_t i) {
     const Job& job = jobs[i];
-    shapes[i] =
-        job.has_result ? evaluate_file(folder + "/" + job.name + kResult) : without_result(job.log);
+    shapes[i] = job.has_result ? evaluate_file(folder + "/" + job.name + kResult, max_bytes)
+                               : without_result(job.log);
     shapes[i].name = job.name;
     shapes[i].status = job.log.status;
     shapes[i].seconds = job.log.seconds;

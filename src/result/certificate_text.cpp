@@ -2,18 +2,15 @@
 // Certificate <-> the text of docs/certificate.md.
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/float_traps.h"
 #include "base/hostile_text.h"
-#include "base/read_blocks.h"
 #include "c1mesh/certificate.h"
 #include "c1mesh/error.h"
+#include "result/read_file.h"
 
 namespace c1mesh {
 namespace {
@@ -236,14 +233,8 @@ Certificate parse_certificate(const std::string& text) {
   return out;
 }
 
-Certificate read_certificate(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError("cannot open " + path + ": " + std::strerror(errno));
-  constexpr std::size_t kMostBytes = 200'000'000;  // as for results
-  const std::optional<std::string> text = read_at_most(file, kMostBytes);
-  if (!text) fail(fmt::format("is larger than {} bytes", kMostBytes));
-  if (file.bad()) throw FileError("cannot read " + path);
-  return parse_certificate(*text);
+Certificate read_certificate(const std::string& path, std::size_t max_bytes) {
+  return parse_certificate(read_file(path, max_bytes));
 }
 
 }  // namespace c1mesh

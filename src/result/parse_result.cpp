@@ -3,19 +3,16 @@
 // and finite coordinates, so that no other stage has to look again.
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/float_traps.h"
 #include "base/hostile_text.h"
-#include "base/read_blocks.h"
 #include "c1mesh/error.h"
 #include "c1mesh/result.h"
+#include "result/read_file.h"
 
 namespace c1mesh {
 namespace {
@@ -24,13 +21,12 @@ using Json = nlohmann::ordered_json;  // parameters and seconds keep their order
 
 constexpr int kHighestDegree = 15;  // the multinomials of det J are then exact doubles
 
-[[noreturn]] void fail(const std::string& message, DefectKind kind = DefectKind::malformed,
-                       const char* remedy = "write the result again with c1mesh run") {
+[[noreturn]] void fail(const std::string& message, DefectKind kind = DefectKind::malformed) {
   constexpr std::size_t kMostBytes = 600;  // messages quote keys, which may be anything
   Defect defect;
   defect.kind = kind;
   defect.message = clipped(message, kMostBytes);
-  defect.remedy = remedy;
+  defect.remedy = "write the result again with c1mesh run";
   throw InputError({defect});
 }
 
@@ -289,16 +285,7 @@ Result parse_result(const std::string& text, const std::string& name) {
 }
 
 Result read_result(const std::string& path, std::size_t max_bytes) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw FileError(path + " is a directory");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError("cannot open " + path + ": " + std::strerror(errno));
-  const std::optional<std::string> text = read_at_most(file, max_bytes);
-  if (!text)
-    fail(fmt::format("the file is larger than {} bytes", max_bytes), DefectKind::limit,
-         "raise the limit (--max-bytes), if it is a result");
-  if (file.bad()) throw FileError("cannot read " + path);
-  return parse_result(*text, name_from(path));
+  return parse_result(read_file(path, max_bytes), name_from(path));
 }
 
 }  // namespace c1mesh
