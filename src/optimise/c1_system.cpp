@@ -173,8 +173,11 @@ ProjectionReport project_to_c1(const std::vector<C1Edge>& edges, const PointMatr
   std::vector<double> row_scale(A.rows());
   for (int r = 0; r < A.rows(); ++r) {
     double norm = 0;
-    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(A, r); it; ++it)
-      norm += std::pow(it.value() * size[it.col()], 2);
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(A, r); it; ++it) {
+      // Not std::pow(…, 2): a product in optimised builds alone, in others off by a rounding error.
+      const double scaled = it.value() * size[it.col()];
+      norm += scaled * scaled;
+    }
     row_scale[r] = 1 / std::sqrt(norm);
     for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(A, r); it; ++it)
       if (column[it.col()] >= 0)
