@@ -168,6 +168,10 @@ class Refiner {
         return;
       }
       if (!is_clear(found, target, size)) return;
+      // Points on curves are rounded: a sliver beside them may be inverted, where the walk goes
+      // astray.
+      if (type == Triangulation::FACE && cdt_.oriented_side(found, p) != CGAL::ON_POSITIVE_SIDE)
+        return;
       const Vertex v = cdt_.insert(p, type, found, index);
       v->info().inside = inside;
       v->info().size = size;
