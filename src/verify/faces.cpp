@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace c1mesh::verification {
@@ -25,16 +26,21 @@ std::set<Arrow> arrows_of(const Subject& subject) {
   return arrows;
 }
 
-/// Turns around the arrow's head through the triangles on its left until the next arrow.
-Arrow next_arrow(const Subject& subject, const std::set<Arrow>& arrows, const Arrow& at) {
+/// Turns around the arrow's head through the triangles on its left until the next arrow. Nothing if
+/// it comes to an edge of the surface before that: a boundary that the file does not tell.
+std::optional<Arrow> next_arrow(const Subject& subject, const std::set<Arrow>& arrows,
+                                const Arrow& at) {
   Arrow spoke = at;
-  while (true) {
+  for (std::size_t left = subject.result.triangles.size(); left > 0; --left) {
     const int id = subject.surface.find_edge(spoke.first, spoke.second);
+    if (id < 0) return std::nullopt;
     const Side& side = subject.surface.edges[id].side[spoke.first < spoke.second ? 0 : 1];
+    if (!side.present()) return std::nullopt;
     const int third = subject.result.triangles[side.triangle][(side.corner + 2) % 3];
-    if (arrows.count({at.second, third})) return {at.second, third};
+    if (arrows.count({at.second, third})) return Arrow{at.second, third};
     spoke = {third, at.second};
   }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -47,15 +53,19 @@ std::vector<std::vector<int>> face_cycles(const Subject& subject) {
   for (const Arrow& first : arrows) {
     std::vector<int> trail;    // vertices since the walk was last at each of them
     std::map<int, int> place;  // in it
-    for (Arrow at = first; walked.insert(at).second; at = next_arrow(subject, arrows, at)) {
+    for (Arrow at = first; walked.insert(at).second;) {
       place[at.first] = static_cast<int>(trail.size());
       trail.push_back(at.first);
       const auto back = place.find(at.second);
-      if (back == place.end()) continue;
-      const auto from = trail.begin() + back->second;
-      if (trail.end() - from > 2) cycles.emplace_back(from, trail.end());
-      for (auto v = from; v != trail.end(); ++v) place.erase(*v);
-      trail.erase(from, trail.end());
+      if (back != place.end()) {
+        const auto from = trail.begin() + back->second;
+        if (trail.end() - from > 2) cycles.emplace_back(from, trail.end());
+        for (auto v = from; v != trail.end(); ++v) place.erase(*v);
+        trail.erase(from, trail.end());
+      }
+      const std::optional<Arrow> next = next_arrow(subject, arrows, at);
+      if (!next) return {};
+      at = *next;
     }
   }
   return cycles;
