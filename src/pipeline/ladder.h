@@ -27,9 +27,8 @@ struct RegionSolution {
 /// How much is tried on large meshes, in triangles of the initial mesh.
 struct SearchLimits {
   int searchable = 100000;  ///< larger ones have no search for a C1 map; these take up to 5 GiB
-  int tried_often =
-      20000;             ///< larger ones have one try: what follows a failed one is in vain mostly
-  int iterations = 300;  ///< of that one try; three times what it takes where it succeeds
+  int tried_often = 20000;  ///< larger ones have one try: further ones mostly fail as well
+  int iterations = 300;     ///< of that one try; three times what it takes where it succeeds
 };
 
 /// `bound`: g asked for (alpha mu). The checkpoint may throw TimeLimitReached, after which the best

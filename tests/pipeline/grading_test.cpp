@@ -6,14 +6,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "c1mesh/c1mesh.h"
 #include "domain/joints.h"
 #include "domain/layout.h"
-#include "mesh/initial_mesh.h"
 #include "mesh/split.h"
 #include "mesh/topology.h"
 #include "pipeline/demotion.h"
-#include "pipeline/region_input.h"
+#include "pipeline/example_mesh.h"
 
 namespace c1mesh {
 namespace {
@@ -45,10 +43,7 @@ void grade_plainly(CurvedMesh& mesh, const std::vector<int>& corners, int levels
 class Grading : public testing::TestWithParam<const char*> {};
 
 TEST_P(Grading, IsWhatSplittingOneByOneGives) {
-  const Shape shape =
-      make_shape(read_drawings(std::string(C1MESH_EXAMPLES) + "/" + GetParam()).at(0));
-  MeshReport report;
-  CurvedMesh mesh = initial_mesh(region_input(shape, 0, 3), {}, report);
+  CurvedMesh mesh = testing_pipeline::example_mesh(GetParam());
   const Joints joints = find_joints(mesh, 8);
   const Roles roles = natural_roles(joints);
   std::vector<int> corners;

@@ -2,22 +2,16 @@
 // Large meshes: how much is tried, and that what is tried in vain leaves a valid map.
 #include <gtest/gtest.h>
 
-#include "c1mesh/c1mesh.h"
-#include "mesh/initial_mesh.h"
+#include "pipeline/example_mesh.h"
 #include "pipeline/ladder.h"
-#include "pipeline/region_input.h"
 
 namespace c1mesh {
 namespace {
 
-CurvedMesh mesh_of(const std::string& example) {
-  const Shape shape = make_shape(read_drawings(std::string(C1MESH_EXAMPLES) + "/" + example).at(0));
-  MeshReport report;
-  return initial_mesh(region_input(shape, 0, 3), {}, report);
-}
+using testing_pipeline::example_mesh;
 
 TEST(SearchLimits, OneTryIsEnoughWhereItSucceeds) {
-  const CurvedMesh mesh = mesh_of("puzzle.svg");
+  const CurvedMesh mesh = example_mesh("puzzle.svg");
   SearchLimits limits;
   limits.tried_often = 0;
   const RegionSolution usual = solve_region(mesh, {}, {}),
@@ -28,7 +22,7 @@ TEST(SearchLimits, OneTryIsEnoughWhereItSucceeds) {
 }
 
 TEST(SearchLimits, NoSearchAndOneThatIsCutShortLeaveTheInitialMesh) {
-  const CurvedMesh mesh = mesh_of("puzzle.svg");
+  const CurvedMesh mesh = example_mesh("puzzle.svg");
   SearchLimits none, short_one;
   none.searchable = mesh.triangle_count() - 1;
   short_one.tried_often = 0;
@@ -48,7 +42,7 @@ TEST(SearchLimits, DoNotHideTheTimeLimit) {
   SearchLimits limits;
   limits.tried_often = 0;
   const RegionSolution solution = solve_region(
-      mesh_of("puzzle.svg"), {}, Checkpoint([] { throw TimeLimitReached(); }), {}, limits);
+      example_mesh("puzzle.svg"), {}, Checkpoint([] { throw TimeLimitReached(); }), {}, limits);
   EXPECT_TRUE(solution.interrupted);
 }
 

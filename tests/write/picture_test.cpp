@@ -16,26 +16,14 @@
 #include "raster/pixels.h"
 #include "result/example_results.h"
 #include "write/colour_scale.h"
+#include "write/xml_text.h"
 
 namespace c1mesh {
 namespace {
 
 using testing_pixels::pixels_of;
-
-std::vector<Point> path_points(std::string data) {
-  for (char& c : data)
-    if (c == ',' || std::isalpha(static_cast<unsigned char>(c))) c = ' ';
-  std::istringstream in(data);
-  std::vector<Point> out;
-  for (double x, y; in >> x >> y;) out.emplace_back(x, y);
-  return out;
-}
-
-pugi::xml_document parsed(const std::string& svg) {
-  pugi::xml_document doc;
-  EXPECT_TRUE(doc.load_string(svg.c_str()));
-  return doc;
-}
+using testing_xml::parsed;
+using testing_xml::path_points;
 
 std::array<double, 3> linear_rgb(const std::string& colour) {
   std::array<double, 3> out;

@@ -3,36 +3,23 @@
 
 #include <cmath>
 #include <pugixml.hpp>
-#include <sstream>
 
 #include "c1mesh/error.h"
 #include "c1mesh/png.h"
 #include "c1mesh/write.h"
 #include "result/example_results.h"
+#include "write/xml_text.h"
 
 namespace c1mesh {
 namespace {
 
-/// All points of a path's data, pairs of numbers whatever the commands are.
-std::vector<Point> path_points(std::string data) {
-  for (char& c : data)
-    if (c == ',' || std::isalpha(static_cast<unsigned char>(c))) c = ' ';
-  std::istringstream in(data);
-  std::vector<Point> out;
-  for (double x, y; in >> x >> y;) out.emplace_back(x, y);
-  return out;
-}
+using testing_xml::parsed;
+using testing_xml::path_points;
 
 std::string path_of(const pugi::xml_document& doc, const std::string& group,
                     const std::string& css) {
   const std::string query = "//g[@id='" + group + "']/path[@class='" + css + "']";
   return doc.select_node(query.c_str()).node().attribute("d").value();
-}
-
-pugi::xml_document parsed(const std::string& svg) {
-  pugi::xml_document doc;
-  EXPECT_TRUE(doc.load_string(svg.c_str()));
-  return doc;
 }
 
 TEST(Svg, IsWellFormedWithEveryOption) {

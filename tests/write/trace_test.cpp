@@ -9,6 +9,8 @@
 #include <pugixml.hpp>
 #include <regex>
 
+#include "write/xml_text.h"
+
 namespace c1mesh {
 namespace {
 
@@ -38,9 +40,7 @@ std::vector<TraceRecord> records_of(const std::vector<Part>& parts) {
 }
 
 pugi::xml_document parsed(const std::vector<TraceRecord>& records, double width = 600) {
-  pugi::xml_document doc;
-  EXPECT_TRUE(doc.load_string(draw_trace("a <b> & \"c\"", records, width).c_str()));
-  return doc;
+  return testing_xml::parsed(draw_trace("a <b> & \"c\"", records, width));
 }
 
 std::size_t count(const pugi::xml_document& doc, const std::string& css) {

@@ -8,6 +8,8 @@
 #include <limits>
 #include <pugixml.hpp>
 
+#include "write/xml_text.h"
+
 namespace c1mesh {
 namespace {
 
@@ -26,9 +28,7 @@ TradeOff curve_of(const std::vector<std::pair<int, double>>& points) {
 }
 
 pugi::xml_document parsed(const TradeOff& curve, double width = 600) {
-  pugi::xml_document doc;
-  EXPECT_TRUE(doc.load_string(draw_trade_off(curve, width).c_str()));
-  return doc;
+  return testing_xml::parsed(draw_trade_off(curve, width));
 }
 
 std::size_t count(const pugi::xml_document& doc, const char* css) {

@@ -7,9 +7,12 @@
 
 #include "c1mesh/write.h"
 #include "result/example_results.h"
+#include "write/xml_text.h"
 
 namespace c1mesh {
 namespace {
+
+using testing_xml::parsed;
 
 std::vector<double> values(const pugi::xml_document& doc, const std::string& name) {
   const std::string query = "//DataArray[@Name='" + name + "']";
@@ -17,12 +20,6 @@ std::vector<double> values(const pugi::xml_document& doc, const std::string& nam
   std::vector<double> out;
   for (std::string word; in >> word;) out.push_back(std::stod(word));
   return out;
-}
-
-pugi::xml_document parsed(const std::string& text) {
-  pugi::xml_document doc;
-  EXPECT_TRUE(doc.load_string(text.c_str()));
-  return doc;
 }
 
 // The identity of the triangle (0,0), (n,0), (0,n): control points are the integer points (i, j),
