@@ -9,6 +9,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "base/c_callback.h"
 #include "raster/font_data.h"
 
 namespace c1mesh {
@@ -31,15 +32,9 @@ struct Sink {
   }
 };
 
-// C code must see no exception.
 template <class Work>
 int guarded(const Work& work) {
-  try {
-    work();
-    return 0;
-  } catch (const std::bad_alloc&) {
-    return FT_Err_Out_Of_Memory;
-  }
+  return called_back(work, FT_Err_Out_Of_Memory);
 }
 
 int on_straight(char kind, const FT_Vector* to, void* data) {

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/c_callback.h"
 #include "c1mesh/font.h"
 #include "read/formats.h"
 #include "read/outline.h"
@@ -34,15 +35,9 @@ Point point_of(const FT_Vector* v) {
           std::ldexp(static_cast<double>(v->y), -kDoubled)};
 }
 
-// FreeType calls back; C code must see no exception, and the pen throws none but bad_alloc.
 template <class Draw>
 int guarded_draw(const Draw& draw) {
-  try {
-    draw();
-    return 0;
-  } catch (const std::bad_alloc&) {
-    return FT_Err_Out_Of_Memory;
-  }
+  return called_back(draw, FT_Err_Out_Of_Memory);
 }
 
 // A closing line of length zero is FreeType's, not the font's.
