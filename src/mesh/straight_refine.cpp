@@ -62,7 +62,8 @@ class Refiner {
         if (stop_ && budget % kGlance == 0) stop_();
         const Candidate worst = queue_.top();
         queue_.pop();
-        if (const auto face = face_of(worst.corners)) improve(*face);
+        const auto face = face_of(worst.corners);
+        if (face && (*face)->info().in_domain) improve(*face);
       }
       if (!separate_boundary(budget)) break;
     }
@@ -255,10 +256,12 @@ class Refiner {
     v->info().s = s;
     v->info().size = size;
     if (other_side >= 0) v->info().lines.push_back(line_of(segments_[line / 3]->twin, Side::chord));
-    if (is_chord(line) && other_side < 0)
-      adopt_half_star(v, s_on(a, line) < s_on(b, line) ? a : b);
-    else
+    if (!is_chord(line) || other_side >= 0)
       adopt_star(v);
+    else if (s_on(a, line) < s_on(b, line))
+      adopt_half_star(v, a, b);
+    else
+      adopt_half_star(v, b, a);
   }
 
   static bool is_chord(int line) { return line % 3 == static_cast<int>(Side::chord); }
@@ -333,22 +336,22 @@ class Refiner {
     while (++f != end);
   }
 
-  // Around a new chord vertex, the domain lies on the left of start -> v -> end.
-  void adopt_half_star(Vertex v, Vertex start) {
-    auto f = cdt_.incident_faces(v), end = f;
-    do {
-      // Orientation against the chord decides by the corner that is not on it.
-      bool left = false;
-      for (int k = 0; k < 3; ++k) {
-        const Vertex w = f->vertex(k);
-        if (w == v || cdt_.is_infinite(w) || share_line(v, w)) continue;
-        left = CGAL::orientation(start->point(), v->point(), w->point()) == CGAL::LEFT_TURN;
-        break;
-      }
-      f->info().in_domain = left && !cdt_.is_infinite(f);
-    } while (++f != end);
+  // Around a new chord vertex, the domain lies on the left of start -> v -> end: the faces that are
+  // met from end to start, counter-clockwise. By edges, not by orientation: beside rounded points
+  // slivers may be inverted.
+  void adopt_half_star(Vertex v, Vertex start, Vertex end) {
+    const auto first = cdt_.incident_faces(v);
+    auto f = first;
+    do f->info().in_domain = false;
+    while (++f != first);
+    while (f->vertex(ccw(f->index(v))) != end) ++f;
+    for (bool left = true; left; ++f) {
+      f->info().in_domain = true;
+      left = f->vertex(cw(f->index(v))) != start;
+    }
+    f = first;
     do consider(f);
-    while (++f != end);
+    while (++f != first);
   }
 
   bool on_boundary(Vertex v) const {
@@ -373,6 +376,8 @@ class Refiner {
       const auto edge = edge_between(a, b);
       if (!edge) continue;
       const auto& [f, k] = *edge;
+      // Flips of inverted slivers outside may have joined two vertices once more.
+      if (!f->info().in_domain || f->is_constrained(k)) continue;
       --budget;
       const Point middle = 0.5 * (point_of(a) + point_of(b));
       const int inside = warp_of(f, segments_);
