@@ -16,6 +16,10 @@ targets=("$@")
   batch_list road)
 out=${OUT:-build/fuzz/out}
 
+# What was freed is kept back for a while, to see its use. The usual 256 MB of it break the allocator's
+# pages into pieces: after 300,000 results 2 GB are taken with 35 MB in use.
+export ASAN_OPTIONS="quarantine_size_mb=16${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
+
 cmake --preset fuzz >&2
 cmake --build --preset fuzz -j "${JOBS:-2}" --target "${targets[@]/#/fuzz_}" >&2
 
