@@ -33,13 +33,32 @@ Shape input_shape(const VerifyArguments& arguments, const Result& result) {
                               drawings.size(), result.name));
 }
 
-VerifyReport examine(const VerifyArguments& arguments, const Result& result) {
-  const VerifyOptions bounds = claimed_bounds(result);
+// What a result is held against besides itself; not both.
+struct Witness {
+  std::optional<Certificate> certificate;
+  std::optional<Shape> shape;
+};
+
+// Read under its own name: what is wrong with it is not the result's fault.
+Status read_witness(Console& console, const VerifyArguments& arguments, const Result& result,
+                    Witness& witness) {
   if (!arguments.certificate.empty())
-    return recheck(result, read_certificate(arguments.certificate, arguments.read.max_bytes),
-                   bounds);
-  if (arguments.input.empty()) return verify(result, bounds);
-  return verify(result, input_shape(arguments, result), bounds);
+    return guarded(console, arguments.certificate, [&] {
+      witness.certificate = read_certificate(arguments.certificate, arguments.read.max_bytes);
+      return Status::ok;
+    });
+  if (arguments.input.empty()) return Status::ok;
+  return guarded(console, arguments.input, [&] {
+    witness.shape = input_shape(arguments, result);
+    return Status::ok;
+  });
+}
+
+VerifyReport examine(const Result& result, const Witness& witness) {
+  const VerifyOptions bounds = claimed_bounds(result);
+  if (witness.certificate) return recheck(result, *witness.certificate, bounds);
+  if (witness.shape) return verify(result, *witness.shape, bounds);
+  return verify(result, bounds);
 }
 
 // Of a result that is not regular there is nothing to certify.
@@ -55,7 +74,10 @@ void write_certificate(Console& console, const std::string& path, const VerifyRe
 
 Status verify_file(Console& console, const VerifyArguments& arguments, const std::string& path) {
   const Result result = read_result(path, arguments.read.max_bytes);
-  const VerifyReport report = examine(arguments, result);
+  Witness witness;
+  const Status unread = read_witness(console, arguments, result, witness);
+  if (unread != Status::ok) return unread;
+  const VerifyReport report = examine(result, witness);
   const bool valid = report.valid();
   console.say(fmt::format(
       "{}: {}\n{}", printable(path),

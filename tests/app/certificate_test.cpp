@@ -51,8 +51,13 @@ TEST(CertificateCommand, AFalseBoundHasStatus4) {
   EXPECT_EQ(ran.status, 4);
   EXPECT_NE(ran.err.find("triangle 0"), std::string::npos) << ran.err;
   folder.write("cut.json", folder.read("bad.json").substr(0, 300));
-  EXPECT_EQ(folder.run("verify out/blob.c1.json --certificate cut.json").status, 3);
-  EXPECT_EQ(folder.run("verify out/blob.c1.json --certificate none.json").status, 3);
+  // What cannot be read is told under its own name.
+  for (const std::string name : {"cut.json", "none.json"}) {
+    const Ran unread = folder.run("verify out/blob.c1.json --certificate " + name);
+    EXPECT_EQ(unread.status, 3);
+    EXPECT_NE(unread.err.find(name), std::string::npos) << unread.err;
+    EXPECT_EQ(unread.err.find("blob.c1.json"), std::string::npos) << unread.err;
+  }
 }
 
 // One file holds one certificate.
