@@ -6,14 +6,19 @@
 
 namespace c1mesh::app {
 
-void add_inputs(CLI::App& cli, InputArguments& arguments) {
-  cli.add_option("INPUT", arguments.files, "JSON or SVG files, - for standard input");
+CLI::Option* add_text(CLI::App& cli, InputArguments& arguments) {
   CLI::Option* font = cli.add_option(
       "--font", arguments.font, "TrueType, OpenType or Type 1 font whose letters are the shapes");
   CLI::Option* text =
       cli.add_option("--text", arguments.text, "The letters, in UTF-8; --together: as one shape");
   font->needs(text);
   text->needs(font);
+  return font;
+}
+
+void add_inputs(CLI::App& cli, InputArguments& arguments) {
+  cli.add_option("INPUT", arguments.files, "JSON or SVG files, - for standard input");
+  add_text(cli, arguments);
 }
 
 void require_inputs(const InputArguments& arguments) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `run` and `check` read: files, or a text set in a font.
+// What `run` and `check` read, and `verify` compares with: files, or a text set in a font.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,6 +15,9 @@ struct InputArguments {
   std::vector<std::string> files;
   std::string font, text;
 };
+
+/// --font, which is returned, and --text; they need each other.
+CLI::Option* add_text(CLI::App& cli, InputArguments& arguments);
 
 /// INPUT…, --font and --text.
 void add_inputs(CLI::App& cli, InputArguments& arguments);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/command.h"
+#include "app/inputs.h"
 #include "app/limits.h"
 #include "app/summary.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 struct VerifyArguments {
   std::vector<std::string> results;
-  std::string input;
+  InputArguments input;     // one or none
   std::string certificate;  // to be followed; empty: proofs are searched for
   std::string written;      // file for a new certificate, empty: none
   ReadOptions read;
@@ -24,13 +25,13 @@ struct VerifyArguments {
 };
 
 // The input's drawing that the result was made of: the only one, or the one of the same name.
-Shape input_shape(const VerifyArguments& arguments, const Result& result) {
-  std::vector<Drawing> drawings = read_input(arguments.input, arguments.read);
+Shape input_shape(const Input& input, const Result& result) {
+  const std::vector<Drawing> drawings = input.read();
   if (drawings.size() == 1) return make_shape(drawings.front());
   for (const Drawing& drawing : drawings)
     if (drawing.name == result.name) return make_shape(drawing);
-  throw FileError(fmt::format("{} holds {} shapes, none named '{}'", arguments.input,
-                              drawings.size(), result.name));
+  throw FileError(fmt::format("{} holds {} shapes, none named '{}'", input.label, drawings.size(),
+                              result.name));
 }
 
 // What a result is held against besides itself; not both.
@@ -47,9 +48,10 @@ Status read_witness(Console& console, const VerifyArguments& arguments, const Re
       witness.certificate = read_certificate(arguments.certificate, arguments.read.max_bytes);
       return Status::ok;
     });
-  if (arguments.input.empty()) return Status::ok;
-  return guarded(console, arguments.input, [&] {
-    witness.shape = input_shape(arguments, result);
+  const std::vector<Input> inputs = inputs_of(arguments.input, arguments.read);
+  if (inputs.empty()) return Status::ok;
+  return guarded(console, inputs.front().label, [&] {
+    witness.shape = input_shape(inputs.front(), result);
     return Status::ok;
   });
 }
@@ -102,7 +104,10 @@ Command add_verify(CLI::App& app) {
   auto arguments = std::make_shared<VerifyArguments>();
   CLI::App* cli = app.add_subcommand("verify", "Certify result files from their data alone");
   cli->add_option("RESULT", arguments->results, "NAME.c1.json files")->required();
-  cli->add_option("--input", arguments->input, "Also compare with the shape they were made of");
+  CLI::Option* input = cli->add_option("--input", arguments->input.files,
+                                       "Also compare with the shape they were made of")
+                           ->expected(1);
+  CLI::Option* font = add_text(*cli, arguments->input);
   CLI::Option* given =
       cli->add_option("--certificate", arguments->certificate,
                       "Check the proofs of this certificate instead of searching for them");
@@ -110,7 +115,8 @@ Command add_verify(CLI::App& app) {
                   "Also this file: what was proven and how")
       ->excludes(given);
   cli->add_flag("--together", arguments->read.together, "The input was taken as one arrangement");
-  given->excludes("--input");
+  input->excludes(font);
+  given->excludes(input)->excludes(font);
   add_read_limits(*cli, arguments->read);
   add_memory_limit(*cli, arguments->memory_limit, "");
   cli->final_callback([arguments] {

@@ -32,6 +32,21 @@ TEST(FontInput, LettersAreDoneEachAndTogether) {
             0);
 }
 
+TEST(FontInput, ResultsAreComparedWithTheirLetters) {
+  if (!std::ifstream(kFont)) GTEST_SKIP() << "no font: install fonts-dejavu-core";
+  const Folder folder;
+  const std::string font = std::string(" --font ") + kFont;
+  ASSERT_EQ(folder.run("run --formats json -o out --text 'l i'" + font).status, 0);
+  const std::string verify = "verify out/DejaVuSans-1-l.c1.json" + font;
+  const Ran same = folder.run(verify + " --text 'l i'");
+  EXPECT_EQ(same.status, 0) << same.err;
+  EXPECT_NE(same.err.find("as in the input"), std::string::npos) << same.err;
+  EXPECT_EQ(folder.run(verify + " --text L").status, 4);
+  EXPECT_EQ(folder.run(verify + " --text 'i o'").status, 3);  // other letters: no such name
+  EXPECT_EQ(folder.run(verify).status, 2);
+  EXPECT_EQ(folder.run(verify + " --text l --input l.svg").status, 2);
+}
+
 TEST(FontInput, StatusesAreThoseOfFiles) {
   if (!std::ifstream(kFont)) GTEST_SKIP() << "no font: install fonts-dejavu-core";
   const Folder folder;
