@@ -41,7 +41,7 @@ constexpr Ending kEndings[] = {
     {"verify", "",
      "  c1mesh verify out/shape.c1.json\n"
      "  c1mesh verify out/shape.c1.json --input shape.svg    and that it is of this shape\n"
-     "  c1mesh verify out/Sans-1-a.c1.json --font Sans.ttf --text a\n"
+     "  c1mesh verify out/DejaVuSans-1-B.c1.json --font DejaVuSans.ttf --text Bezier\n"
      "  c1mesh verify out/shape.c1.json --write-certificate shape.cert\n"
      "  c1mesh verify out/shape.c1.json --certificate shape.cert"},
     {"project", "",
