@@ -24,43 +24,35 @@ struct VerifyArguments {
   double memory_limit = 0;
 };
 
-// The input's drawing that the result was made of: the only one, or the one of the same name.
-Shape input_shape(const Input& input, const Result& result) {
-  const std::vector<Drawing> drawings = input.read();
-  if (drawings.size() == 1) return make_shape(drawings.front());
-  for (const Drawing& drawing : drawings)
-    if (drawing.name == result.name) return make_shape(drawing);
-  throw FileError(fmt::format("{} holds {} shapes, none named '{}'", input.label, drawings.size(),
-                              result.name));
-}
-
-// What a result is held against besides itself; not both.
+// What results are held against besides themselves; not both.
 struct Witness {
   std::optional<Certificate> certificate;
-  std::optional<Shape> shape;
+  std::optional<std::vector<Drawing>> drawings;
+  std::string label;  // what messages call it: what is wrong with it is not the result's fault
 };
 
-// Read under its own name: what is wrong with it is not the result's fault.
-Status read_witness(Console& console, const VerifyArguments& arguments, const Result& result,
-                    Witness& witness) {
-  if (!arguments.certificate.empty())
-    return guarded(console, arguments.certificate, [&] {
-      witness.certificate = read_certificate(arguments.certificate, arguments.read.max_bytes);
-      return Status::ok;
-    });
+// Once for all results: an input may be large, or standard input.
+Status read_witness(Console& console, const VerifyArguments& arguments, Witness& witness) {
   const std::vector<Input> inputs = inputs_of(arguments.input, arguments.read);
-  if (inputs.empty()) return Status::ok;
-  return guarded(console, inputs.front().label, [&] {
-    witness.shape = input_shape(inputs.front(), result);
+  if (arguments.certificate.empty() && inputs.empty()) return Status::ok;
+  witness.label = inputs.empty() ? arguments.certificate : inputs.front().label;
+  return guarded(console, witness.label, [&] {
+    if (inputs.empty())
+      witness.certificate = read_certificate(arguments.certificate, arguments.read.max_bytes);
+    else
+      witness.drawings = inputs.front().read();
     return Status::ok;
   });
 }
 
-VerifyReport examine(const Result& result, const Witness& witness) {
-  const VerifyOptions bounds = claimed_bounds(result);
-  if (witness.certificate) return recheck(result, *witness.certificate, bounds);
-  if (witness.shape) return verify(result, *witness.shape, bounds);
-  return verify(result, bounds);
+// The input's drawing that the result was made of: the only one, or the one of the same name.
+Shape input_shape(const Witness& witness, const Result& result) {
+  const std::vector<Drawing>& drawings = *witness.drawings;
+  if (drawings.size() == 1) return make_shape(drawings.front());
+  for (const Drawing& drawing : drawings)
+    if (drawing.name == result.name) return make_shape(drawing);
+  throw FileError(fmt::format("{} holds {} shapes, none named '{}'", witness.label, drawings.size(),
+                              result.name));
 }
 
 // Of a result that is not regular there is nothing to certify.
@@ -74,12 +66,21 @@ void write_certificate(Console& console, const std::string& path, const VerifyRe
   console.say(fmt::format("certificate: {}", printable(path)));
 }
 
-Status verify_file(Console& console, const VerifyArguments& arguments, const std::string& path) {
+Status verify_file(Console& console, const VerifyArguments& arguments, const Witness& witness,
+                   const std::string& path) {
   const Result result = read_result(path, arguments.read.max_bytes);
-  Witness witness;
-  const Status unread = read_witness(console, arguments, result, witness);
-  if (unread != Status::ok) return unread;
-  const VerifyReport report = examine(result, witness);
+  std::optional<Shape> shape;
+  if (witness.drawings) {
+    const Status unusable = guarded(console, witness.label, [&] {
+      shape = input_shape(witness, result);
+      return Status::ok;
+    });
+    if (unusable != Status::ok) return unusable;
+  }
+  const VerifyOptions bounds = claimed_bounds(result);
+  const VerifyReport report = witness.certificate ? recheck(result, *witness.certificate, bounds)
+                              : shape             ? verify(result, *shape, bounds)
+                                                  : verify(result, bounds);
   const bool valid = report.valid();
   console.say(fmt::format(
       "{}: {}\n{}", printable(path),
@@ -91,10 +92,12 @@ Status verify_file(Console& console, const VerifyArguments& arguments, const std
 
 Status verify_files(Console& console, const VerifyArguments& arguments) {
   limit_memory(arguments.memory_limit);
-  Status status = Status::ok;
+  Witness witness;
+  Status status = read_witness(console, arguments, witness);
+  if (status != Status::ok) return status;
   for (const std::string& path : arguments.results)
-    status = worse(status,
-                   guarded(console, path, [&] { return verify_file(console, arguments, path); }));
+    status = worse(status, guarded(console, path,
+                                   [&] { return verify_file(console, arguments, witness, path); }));
   return status;
 }
 

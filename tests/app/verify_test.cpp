@@ -63,6 +63,18 @@ TEST(VerifyCommand, RefusesAnotherInput) {
   EXPECT_EQ(folder.run("verify square.c1.json --input moved.json").status, 4);
 }
 
+// It is read once: standard input can be no more often.
+TEST(VerifyCommand, ComparesSeveralResultsWithOneInput) {
+  const Folder folder;
+  for (const char* name : {"one.c1.json", "two.c1.json"})
+    folder.write(name, format_result(identity_of_square()));
+  folder.write("square.json", kSquare);
+  const std::string two = "verify one.c1.json two.c1.json --input ";
+  EXPECT_EQ(folder.run(two + "square.json").status, 0);
+  const Ran piped = folder.run(two + "- < square.json");
+  EXPECT_EQ(piped.status, 0) << piped.err;
+}
+
 // The worst status counts: an unreadable file is worse than one that is not certified.
 TEST(VerifyCommand, TellsInvalidFromUnreadable) {
   const Folder folder;
